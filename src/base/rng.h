@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Random numbers as a function of (seed, purpose, cell id, step): no order of events, no number of threads and no
+ * restart can change a draw. The generator is Random123's Philox4x64-10 (Salmon et al. 2011); GSL's distributions
+ * draw from it. */
+#ifndef SARCINA_BASE_RNG_H
+#define SARCINA_BASE_RNG_H
+
+#include <gsl/gsl_rng.h>
+#include <stdint.h>
+
+/* What a stream is for. Numbers are part of the results: append, never reorder. */
+typedef enum {
+    RNG_RATE = 1,      /* growth rate of a cell in a step */
+    RNG_DIAMETER = 2,  /* diameter of a newborn */
+    RNG_JITTER = 3,    /* displacement at division */
+    RNG_DIRECTION = 4, /* direction in which a coccus divides */
+    RNG_CREATE = 5,    /* place, axis and mass of created cells; id is that of the new cell */
+    RNG_DELETE = 6,    /* which cells delete_cells takes */
+    RNG_SIZE = 7,      /* size at division of a cell */
+    RNG_CONTACT = 8,   /* direction for contacts and springs of length zero; id mixes the two cells */
+    RNG_SCRIPT = 9     /* random(), normal(), poisson() of scripts */
+} rng_purpose;
+
+typedef struct rng rng;
+
+rng *rng_create(uint64_t seed);
+void rng_free(rng *r);
+void rng_seed(rng *r, uint64_t seed);
+uint64_t rng_get_seed(const rng *r);
+
+/* The stream of (seed, purpose, id, step), at its beginning. It belongs to r and holds until the next call. */
+gsl_rng *rng_stream(rng *r, rng_purpose purpose, uint64_t id, uint64_t step);
+
+/* A unit vector from (seed, RNG_CONTACT, a, b), the same for (a, b) and (b, a) but for its sign. Needs no rng, so that
+ * force kernels may call it from any thread. */
+void rng_direction(uint64_t seed, uint64_t a, uint64_t b, double u[3]);
+
+#endif

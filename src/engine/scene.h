@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A scene: everything a simulation is made of, owned in one place, and the calls that change it. No function here
+ * knows scripts, prints or exits. Each checks everything before it changes anything: a call that fails leaves the
+ * scene as it was, to the bit. Units: um, pg, s. */
+#ifndef SARCINA_ENGINE_SCENE_H
+#define SARCINA_ENGINE_SCENE_H
+
+#include "analysis/view.h"
+#include "base/diag.h"
+#include "base/rng.h"
+#include "mechanics/mechanics.h"
+#include "model/colony.h"
+#include "model/region.h"
+#include "model/species.h"
+#include "relax/relax.h"
+
+#include <signal.h>
+
+/* Seconds of wall time by stage. */
+typedef struct scene_timing {
+    double grow, divide, relax, output, total;
+} scene_timing;
+
+typedef struct scene {
+    colony *colony;
+    species_table species;
+    region_table regions;
+    force_set forces;
+    neighbor_settings neighbor;
+    relax_settings relax;
+    int accuracy;           /* row in accuracy_presets */
+    int dimension;          /* 3, or 2: z never changes */
+    int threads;
+    rng *rng;
+    uint64_t step;          /* cycles done */
+    uint64_t growth_steps;  /* grow calls done: the step of the random streams */
+    double time, relaxed;   /* s */
+    mechanics *mechanics;
+    scene_timing timing;
+    relax_result last_relax;
+    const volatile sig_atomic_t *interrupt; /* set by a signal handler; NULL */
+    void (*warn)(void *self, const char *message); /* NULL: warnings are dropped */
+    void *warn_self;
+} scene;
+
+scene *scene_create(void);
+void scene_free(scene *s);
+
+/* Takes everything out; the clock, seed and settings are as at the beginning. Callbacks and threads stay. */
+void scene_clear(scene *s);
+
+/* Binds the mechanics to the scene as it stands (cheap when nothing changed) and shows it to measures. */
+int scene_view(scene *s, view *out, diag *d);
+
+/* Grows every cell for dt and divides those that are due, as one step; in the order of their ids. */
+int scene_grow(scene *s, double dt, diag *d);
+
+/* Relaxes for time, or until the largest net force is below force (> 0). */
+int scene_relax(scene *s, double time, double force, relax_result *result, diag *d);
+
+/* One atomic cycle: grow dt (0: no growth) then relax (time 0: none). On failure or interruption the scene is as
+ * before it. */
+int scene_cycle(scene *s, double dt, double relax_time, double relax_force, diag *d);
+
+void scene_warn(scene *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Where and how new cells are put. */
+typedef enum { ORIENT_X, ORIENT_Y, ORIENT_Z, ORIENT_XY, ORIENT_RANDOM, ORIENT_VECTOR } orient_kind;
+
+typedef struct placement {
+    int species;
+    orient_kind orient;
+    double axis[3];      /* ORIENT_VECTOR */
+    spread mass;         /* pg */
+    double gap;          /* lowest surface this far above the substratum, um; NaN: the given z counts */
+    bool overlap;        /* may it overlap what is there (and what is created with it)? */
+    int maxtry;          /* draws of a place before giving up */
+    int filament;        /* cells in a row; 1 */
+} placement;
+
+/* A cell read from a file or given whole; axis 0 0 0 and mass/diameter NaN: drawn as for the others. */
+typedef struct cell_row {
+    int species;
+    double centre[3], axis[3];
+    double mass, diameter;
+} cell_row;
+
+/* All of them or none. *created: how many. */
+int scene_create_single(scene *s, const placement *p, const double centre[3], size_t *created, diag *d);
+int scene_create_random(scene *s, const placement *p, size_t n, const region *where, size_t *created, diag *d);
+int scene_create_rows(scene *s, const placement *p, const cell_row *rows, size_t n, size_t *created, diag *d);
+
+/* Deletes the cells whose flag is set (by cell row). */
+void scene_delete(scene *s, const bool *doomed);
+
+#endif

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "model/species.h"
+
+#include "base/alloc.h"
+#include "model/shape.h"
+
+#include <string.h>
+
+int species_find(const species_table *t, const char *name) {
+    for (size_t i = 0; i < t->count; i++)
+        if (strcmp(t->list[i].name, name) == 0)
+            return (int)i;
+    return -1;
+}
+
+int species_add(species_table *t, const char *name) {
+    t->list = alloc_grow(t->list, &t->capacity, t->count + 1, sizeof *t->list);
+    species *s = &t->list[t->count];
+    memset(s, 0, sizeof *s);
+    strncpy(s->name, name, sizeof s->name - 1);
+    s->growth.style = s->division.style = -1;
+    return (int)t->count++;
+}
+
+size_t species_particles(const species *s) {
+    return s->shape == SHAPE_COCCUS ? 1 : 2;
+}
+
+double species_rest(const species *s, double mass, double diameter, double aspect) {
+    if (s->shape == SHAPE_COCCUS)
+        return 0;
+    if (aspect > 0)
+        return (aspect - 1) * shape_rod_aspect_diameter(mass, aspect, s->density);
+    return shape_rod_rest(mass, diameter, s->density);
+}
+
+void species_shape_cell(const species *s, colony *c, uint32_t row) {
+    double mass = c->cell.mass[row];
+    if (s->shape == SHAPE_COCCUS)
+        c->cell.diameter[row] = shape_coccus_diameter(mass, s->density);
+    else if (c->cell.aspect[row] > 0)
+        c->cell.diameter[row] = shape_rod_aspect_diameter(mass, c->cell.aspect[row], s->density);
+    c->cell.rest[row] = species_rest(s, mass, c->cell.diameter[row], c->cell.aspect[row]);
+}

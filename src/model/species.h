@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the cells of a species share: shape, size, density, and the laws by which they grow, divide and link. */
+#ifndef SARCINA_MODEL_SPECIES_H
+#define SARCINA_MODEL_SPECIES_H
+
+#include "base/param.h"
+#include "base/spread.h"
+#include "model/colony.h"
+
+typedef enum { SHAPE_COCCUS, SHAPE_ROD } shape_kind;
+
+/* A style chosen from a table, with its parameters in the order of the style's param records (engine units;
+ * a choice is its row, a flag 0 or 1). */
+typedef struct style_choice {
+    int style; /* row in the style's table; -1: none */
+    spread values[PARAM_COUNT_MAX];
+} style_choice;
+
+typedef struct species {
+    char name[64];
+    shape_kind shape;
+    double density;      /* pg/um3 */
+    spread diameter;     /* rods of fixed diameter, um; law fixed and 0: aspect is kept instead */
+    spread aspect;       /* rods of fixed length over diameter; 0: not kept */
+    char color[16];      /* "#rrggbb", or "" : by order */
+    style_choice growth, division;
+    double internal_k;   /* spring inside each rod, pg/s2; 0: the script has not named it */
+} species;
+
+typedef struct species_table {
+    size_t count, capacity;
+    species *list;
+} species_table;
+
+/* Row of the species called name; -1: there is none. */
+int species_find(const species_table *t, const char *name);
+
+/* Adds a species with nothing set but its name; returns its row. */
+int species_add(species_table *t, const char *name);
+
+/* Diameter and rest length of a cell from its mass and what it keeps (its columns diameter or aspect). */
+void species_shape_cell(const species *s, colony *c, uint32_t row);
+
+/* Rest length a rod of this mass would have, with diameter d (fixed diameter) or aspect a (a > 0). */
+double species_rest(const species *s, double mass, double diameter, double aspect);
+
+/* Particles a cell of this species has. */
+size_t species_particles(const species *s);
+
+#endif
