@@ -5,32 +5,39 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Brace lists, not compound literals: ISO C takes only the former in a static table. */
+#define ENTRY(name, l, m, t)                                                                                           \
+    {                                                                                                                  \
+        name, {                                                                                                        \
+            12 * (l), 12 * (m), 12 * (t)                                                                               \
+        }                                                                                                              \
+    }
 static const struct {
     const char *name;
     dim d;
 } names[] = {
-    {"pure number", DIM_NONE},
-    {"length", DIM_LENGTH},
-    {"area", DIM_AREA},
-    {"volume", DIM_VOLUME},
-    {"mass", DIM_MASS},
-    {"density", DIM_DENSITY},
-    {"time", DIM_TIME},
-    {"rate", DIM_RATE},
-    {"wavenumber", DIM(-1, 0, 0)},
-    {"velocity", DIM_VELOCITY},
-    {"acceleration", DIM(1, 0, -2)},
-    {"drag", DIM(0, 1, -1)},
-    {"stiffness", DIM_STIFFNESS},
-    {"force", DIM_FORCE},
-    {"energy", DIM_ENERGY},
-    {"energylength", DIM(3, 1, -2)},
+    ENTRY("pure number", 0, 0, 0),
+    ENTRY("length", 1, 0, 0),
+    ENTRY("area", 2, 0, 0),
+    ENTRY("volume", 3, 0, 0),
+    ENTRY("mass", 0, 1, 0),
+    ENTRY("density", -3, 1, 0),
+    ENTRY("time", 0, 0, 1),
+    ENTRY("rate", 0, 0, -1),
+    ENTRY("wavenumber", -1, 0, 0),
+    ENTRY("velocity", 1, 0, -1),
+    ENTRY("acceleration", 1, 0, -2),
+    ENTRY("drag", 0, 1, -1),
+    ENTRY("stiffness", 0, 1, -2),
+    ENTRY("force", 1, 1, -2),
+    ENTRY("energy", 2, 1, -2),
+    ENTRY("energylength", 3, 1, -2),
     /* second names; the first of a dimension is the one errors use */
-    {"number", DIM_NONE},
-    {"fraction", DIM_NONE},
-    {"angle", DIM_NONE},
-    {"massrate", DIM(0, 1, -1)},
-    {"bending", DIM_ENERGY},
+    ENTRY("number", 0, 0, 0),
+    ENTRY("fraction", 0, 0, 0),
+    ENTRY("angle", 0, 0, 0),
+    ENTRY("massrate", 0, 1, -1),
+    ENTRY("bending", 2, 1, -2),
 };
 enum { NAME_COUNT = sizeof names / sizeof names[0] };
 
