@@ -9,9 +9,9 @@
 #include "base/dim.h"
 
 typedef enum {
-    VALUE_CELL,     /* one number (or text) a cell: z, length, species */
-    VALUE_STATE,    /* one for the scene: step, cells, fmax */
-    VALUE_ANALYSIS  /* a measure of a set of cells: thickness, ellipse; `analyze` takes it for a group */
+    VALUE_CELL,    /* one number (or text) a cell: z, length, species */
+    VALUE_STATE,   /* one for the scene: step, cells, fmax */
+    VALUE_ANALYSIS /* a measure of a set of cells: thickness, ellipse; `analyze` takes it for a group */
 } value_scope;
 
 #define VALUE_FIELDS_MAX 16
@@ -24,8 +24,8 @@ typedef struct value_style {
                             * The bare name is a value of its own, out[0]; field i is out[1 + i] */
     const char *summary;   /* one line: the definition */
     const char *source;    /* where the definition comes from; NULL */
-    double (*cell)(const view *v, uint32_t row);           /* VALUE_CELL, numbers */
-    const char *(*text)(const view *v, uint32_t row);      /* VALUE_CELL, text; holds while the view does */
+    double (*cell)(const view *v, uint32_t row);      /* VALUE_CELL, numbers */
+    const char *(*text)(const view *v, uint32_t row); /* VALUE_CELL, text; holds while the view does */
     /* VALUE_STATE, VALUE_ANALYSIS: fills out (1 + fields); members: flag a cell row, NULL: all cells.
      * What is undefined for these cells (the orientation of one cell) is NaN, not an error. */
     int (*measure)(const view *v, const bool *members, double *out, diag *d);

@@ -11,10 +11,10 @@
 /* The statuses are the program's exit codes. */
 typedef enum {
     SARCINA_OK = 0,
-    SARCINA_ERROR = 1,       /* the script or the scene is at fault */
-    SARCINA_USAGE = 2,       /* the command line is at fault */
-    SARCINA_NUMERICAL = 3,   /* the mechanics could not go on */
-    SARCINA_EXPECT = 4,      /* an expect of the script failed */
+    SARCINA_ERROR = 1,     /* the script or the scene is at fault */
+    SARCINA_USAGE = 2,     /* the command line is at fault */
+    SARCINA_NUMERICAL = 3, /* the mechanics could not go on */
+    SARCINA_EXPECT = 4,    /* an expect of the script failed */
     SARCINA_INTERRUPTED = 130
 } sarcina_status;
 

@@ -45,8 +45,8 @@ static void block_set(void *p, unsigned long seed) {
     s->used = 8;
 }
 
-static const gsl_rng_type philox_type = {
-    "philox4x64", 0xffffffffUL, 0, sizeof(block_state), block_set, block_get, block_get_double};
+static const gsl_rng_type philox_type = {"philox4x64", 0xffffffffUL,    0, sizeof(block_state), block_set,
+                                         block_get,    block_get_double};
 
 rng *rng_create(uint64_t seed) {
     rng *r = alloc_zeroed(1, sizeof *r);

@@ -28,17 +28,17 @@ typedef struct scene {
     force_set forces;
     neighbor_settings neighbor;
     relax_settings relax;
-    int accuracy;           /* row in accuracy_presets */
-    int dimension;          /* 3, or 2: z never changes */
+    int accuracy;  /* row in accuracy_presets */
+    int dimension; /* 3, or 2: z never changes */
     int threads;
     rng *rng;
-    uint64_t step;          /* cycles done */
-    uint64_t growth_steps;  /* grow calls done: the step of the random streams */
-    double time, relaxed;   /* s */
+    uint64_t step;         /* cycles done */
+    uint64_t growth_steps; /* grow calls done: the step of the random streams */
+    double time, relaxed;  /* s */
     mechanics *mechanics;
     scene_timing timing;
     relax_result last_relax;
-    const volatile sig_atomic_t *interrupt; /* set by a signal handler; NULL */
+    const volatile sig_atomic_t *interrupt;        /* set by a signal handler; NULL */
     void (*warn)(void *self, const char *message); /* NULL: warnings are dropped */
     void *warn_self;
 } scene;
@@ -70,12 +70,12 @@ typedef enum { ORIENT_X, ORIENT_Y, ORIENT_Z, ORIENT_XY, ORIENT_RANDOM, ORIENT_VE
 typedef struct placement {
     int species;
     orient_kind orient;
-    double axis[3];      /* ORIENT_VECTOR */
-    spread mass;         /* pg */
-    double gap;          /* lowest surface this far above the substratum, um; NaN: the given z counts */
-    bool overlap;        /* may it overlap what is there (and what is created with it)? */
-    int maxtry;          /* draws of a place before giving up */
-    int filament;        /* cells in a row; 1 */
+    double axis[3]; /* ORIENT_VECTOR */
+    spread mass;    /* pg */
+    double gap;     /* lowest surface this far above the substratum, um; NaN: the given z counts */
+    bool overlap;   /* may it overlap what is there (and what is created with it)? */
+    int maxtry;     /* draws of a place before giving up */
+    int filament;   /* cells in a row; 1 */
 } placement;
 
 /* A cell read from a file or given whole; axis 0 0 0 and mass/diameter NaN: drawn as for the others. */

@@ -45,8 +45,8 @@ void mechanics_force(mechanics *m, const double *x, const double *v, double *f);
 /* The same without damping, for integrators that damp exactly, and for fmax. */
 void mechanics_force_undamped(mechanics *m, const double *x, double *f);
 
-double mechanics_drag(const mechanics *m);             /* linear drag of a particle; 0 without damping */
-const double *mechanics_mass(const mechanics *m);      /* mass of each particle (nparticles) */
+double mechanics_drag(const mechanics *m);        /* linear drag of a particle; 0 without damping */
+const double *mechanics_mass(const mechanics *m); /* mass of each particle (nparticles) */
 size_t mechanics_particles(const mechanics *m);
 
 /* Largest eigenfrequency squared (1/s2) of the bare springs that act at x: the bound on explicit steps. */
@@ -64,12 +64,12 @@ double mechanics_fmax(mechanics *m);
 void mechanics_contacts(mechanics *m, double *overlap, uint32_t *contacts, double *force);
 
 typedef struct mechanics_stats {
-    uint64_t evaluations, builds;      /* since creation */
+    uint64_t evaluations, builds;        /* since creation */
     double force_seconds, build_seconds; /* wall time */
-    size_t pairs;                      /* entries of the present list */
+    size_t pairs;                        /* entries of the present list */
     double skin;
-    size_t bytes;                      /* memory held */
-    const char *kernel;                /* "avx512", "avx2", "base" */
+    size_t bytes;       /* memory held */
+    const char *kernel; /* "avx512", "avx2", "base" */
 } mechanics_stats;
 mechanics_stats mechanics_statistics(const mechanics *m);
 

@@ -313,7 +313,8 @@ int colony_walk(colony *c, colony_visit *visit, void *self) {
     for (int t = 0; t < TABLES; t++)
         for (size_t i = 0; i < tables[t].ncolumns; i++) {
             const column *col = &tables[t].columns[i];
-            int status = visit(self, tables[t].name, col->name, *data_of(c, t, i), col->row_bytes, head_of(c, t)->count);
+            int status =
+                visit(self, tables[t].name, col->name, *data_of(c, t, i), col->row_bytes, head_of(c, t)->count);
             if (status)
                 return status;
         }

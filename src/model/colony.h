@@ -14,7 +14,12 @@
 #define SPRING_ANCHOR UINT32_MAX
 #define COLONY_NO_ROW UINT32_MAX
 
-typedef enum { LINK_FILIAL, LINK_STICK, LINK_ANCHOR, LINK_SPRING /* a bare spring, as the oracles list them */ } link_kind;
+typedef enum {
+    LINK_FILIAL,
+    LINK_STICK,
+    LINK_ANCHOR,
+    LINK_SPRING /* a bare spring, as the oracles list them */
+} link_kind;
 
 typedef struct particle_columns {
     size_t count, capacity;
@@ -70,7 +75,8 @@ void colony_copy(colony *to, const colony *from);
 /* Appends a cell of n particles at rest at x (n x 3), with the next id; every other column is 0. Returns its row. */
 uint32_t colony_add_cell(colony *c, size_t n, const double *x);
 
-/* Appends a link between two cells (cell_b 0: the substratum) with count springs, whose columns are 0. Returns its row. */
+/* Appends a link between two cells (cell_b 0: the substratum) with count springs, whose columns are 0. Returns its row.
+ */
 uint32_t colony_add_link(colony *c, link_kind kind, uint64_t cell_a, uint64_t cell_b, size_t count);
 
 /* The one function that moves rows: keeps the cells of `rows` (n distinct cell rows) in that order and drops the

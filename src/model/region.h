@@ -12,8 +12,8 @@ typedef enum { REGION_BLOCK, REGION_SPHERE } region_kind;
 typedef struct region {
     char name[64];
     region_kind kind;
-    bool outside;   /* side out: the complement */
-    double p[6];    /* block: xlo xhi ylo yhi zlo zhi, infinite ends allowed; sphere: x y z r */
+    bool outside; /* side out: the complement */
+    double p[6];  /* block: xlo xhi ylo yhi zlo zhi, infinite ends allowed; sphere: x y z r */
 } region;
 
 typedef struct region_table {

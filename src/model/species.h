@@ -19,12 +19,12 @@ typedef struct style_choice {
 typedef struct species {
     char name[64];
     shape_kind shape;
-    double density;      /* pg/um3 */
-    spread diameter;     /* rods of fixed diameter, um; law fixed and 0: aspect is kept instead */
-    spread aspect;       /* rods of fixed length over diameter; 0: not kept */
-    char color[16];      /* "#rrggbb", or "" : by order */
+    double density;  /* pg/um3 */
+    spread diameter; /* rods of fixed diameter, um; law fixed and 0: aspect is kept instead */
+    spread aspect;   /* rods of fixed length over diameter; 0: not kept */
+    char color[16];  /* "#rrggbb", or "" : by order */
     style_choice growth, division;
-    double internal_k;   /* spring inside each rod, pg/s2; 0: the script has not named it */
+    double internal_k; /* spring inside each rod, pg/s2; 0: the script has not named it */
 } species;
 
 typedef struct species_table {

@@ -11,10 +11,10 @@
 #include <stdint.h>
 
 typedef struct output_column {
-    char *name;       /* heading; owned */
+    char *name; /* heading; owned */
     dim d;
     bool is_text;
-    void *self;       /* passed to the callbacks */
+    void *self; /* passed to the callbacks */
     /* Per cell (row: cell row), or for the whole scene (row ignored). Numbers come in SI; undefined: NaN. */
     int (*number)(void *self, uint32_t row, double *si, diag *d);
     int (*text)(void *self, uint32_t row, char out[64], diag *d);

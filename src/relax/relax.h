@@ -9,8 +9,14 @@
 
 #include <signal.h>
 
-typedef enum { INTEGRATOR_DOPRI5, INTEGRATOR_VERLET, INTEGRATOR_RK4, INTEGRATOR_RKF45, INTEGRATOR_RK8PD,
-               INTEGRATOR_COUNT } integrator_kind;
+typedef enum {
+    INTEGRATOR_DOPRI5,
+    INTEGRATOR_VERLET,
+    INTEGRATOR_RK4,
+    INTEGRATOR_RKF45,
+    INTEGRATOR_RK8PD,
+    INTEGRATOR_COUNT
+} integrator_kind;
 
 /* Method and step rule. */
 typedef struct relax_settings {
@@ -29,8 +35,8 @@ extern const accuracy_preset accuracy_presets[];
 extern const size_t accuracy_preset_count;
 
 typedef struct relax_goal {
-    double time;                          /* at most this long, s */
-    double force;                         /* stop when the largest net force is below this; 0: only by time */
+    double time;                            /* at most this long, s */
+    double force;                           /* stop when the largest net force is below this; 0: only by time */
     const volatile sig_atomic_t *interrupt; /* looked at between accepted steps; NULL: never */
 } relax_goal;
 
@@ -38,8 +44,8 @@ typedef enum { RELAX_TIME, RELAX_FORCE, RELAX_INTERRUPTED } relax_stop;
 
 typedef struct relax_result {
     relax_stop stop;
-    double time;            /* relaxed, s */
-    double fmax;            /* at the end, 1e-21 N; computed only when goal.force > 0 */
+    double time; /* relaxed, s */
+    double fmax; /* at the end, 1e-21 N; computed only when goal.force > 0 */
     uint64_t steps, rejected, evaluations;
     double least_step, largest_step;
 } relax_result;
