@@ -64,6 +64,9 @@ int scene_cycle(scene *s, double dt, double relax_time, double relax_force, diag
 
 void scene_warn(scene *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* After a change of a species' shape, density or rules: sizes and division limits of its cells follow. */
+void scene_refresh_species(scene *s, int row);
+
 /* Where and how new cells are put. */
 typedef enum { ORIENT_X, ORIENT_Y, ORIENT_Z, ORIENT_XY, ORIENT_RANDOM, ORIENT_VECTOR } orient_kind;
 
@@ -90,7 +93,7 @@ int scene_create_single(scene *s, const placement *p, const double centre[3], si
 int scene_create_random(scene *s, const placement *p, size_t n, const region *where, size_t *created, diag *d);
 int scene_create_rows(scene *s, const placement *p, const cell_row *rows, size_t n, size_t *created, diag *d);
 
-/* Deletes the cells whose flag is set (by cell row). */
+/* Deletes the cells whose flag is set (by cell row), with their links. */
 void scene_delete(scene *s, const bool *doomed);
 
 #endif

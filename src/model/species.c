@@ -40,5 +40,6 @@ void species_shape_cell(const species *s, colony *c, uint32_t row) {
         c->cell.diameter[row] = shape_coccus_diameter(mass, s->density);
     else if (c->cell.aspect[row] > 0)
         c->cell.diameter[row] = shape_rod_aspect_diameter(mass, c->cell.aspect[row], s->density);
-    c->cell.rest[row] = species_rest(s, mass, c->cell.diameter[row], c->cell.aspect[row]);
+    double rest = species_rest(s, mass, c->cell.diameter[row], c->cell.aspect[row]);
+    c->cell.rest[row] = rest > 0 ? rest : 0; /* a rod that shrinks ends as a ball of two particles */
 }

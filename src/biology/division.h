@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Division rules: the table, and the step that divides the cells that are due. */
+#ifndef SARCINA_BIOLOGY_DIVISION_H
+#define SARCINA_BIOLOGY_DIVISION_H
+
+#include "base/diag.h"
+#include "base/param.h"
+#include "base/rng.h"
+#include "model/colony.h"
+#include "model/species.h"
+
+/* What a rule is told of the scene. */
+typedef struct division_context {
+    colony *colony;
+    const species_table *species;
+    rng *rng;
+    double time;     /* growth time at which the daughters are born, s */
+    bool substratum; /* is there a plane, and at which height (um)? */
+    double substratum_z;
+} division_context;
+
+typedef struct division_style {
+    const char *name, *summary, *source, *example;
+    shape_kind shape;    /* whose rule it is */
+    const param *params; /* in the order of style_choice.values; the first two are sizes at division, one of which
+                          * counts and the other is NaN */
+    size_t nparams;
+    /* Places mother (row) and daughter (appended; its row is returned) of half the mother's mass each; the caller sets
+     * masses and identity columns before, shapes are right when it is called. */
+    void (*place)(const division_context *x, uint32_t mother, uint32_t daughter);
+} division_style;
+
+extern const division_style division_styles[];
+extern const size_t division_style_count;
+
+enum { DIVISION_MASS, DIVISION_SIZE, DIVISION_JITTER, DIVISION_AXIS, DIVISION_TRIES };
+enum { AXIS_AUTO, AXIS_X, AXIS_Y, AXIS_Z };
+
+/* Mass at which a cell divides, pg: drawn once a life where the rule has a spread; infinite without a rule. */
+double division_limit(const species *s, rng *r, uint64_t id, double diameter, double aspect);
+
+/* The species' mean mass at division, for its mean diameter; NaN without a rule. */
+double division_mean_mass(const species *s);
+
+/* Is the rule possible for the shape: would the daughters of a cell of mean size have a body? */
+int division_check(const species *s, diag *d);
+
+/* Draws a diameter or aspect (> 0) for cell id of the species into the columns; a coccus keeps none. */
+void division_draw_size(const species *s, colony *c, uint32_t row, rng *r);
+
+/* Divides, in the order of the mothers' ids, every cell whose mass exceeds its limit, once. Returns how many. */
+size_t division_step(const division_context *x);
+
+#endif

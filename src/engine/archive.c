@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "engine/archive.h"
+
+#include "base/alloc.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define MAGIC "sarcina restart 1\n"
+enum { NAME_MAX_BYTES = 64 };
+
+typedef struct block {
+    char name[NAME_MAX_BYTES];
+    char *bytes;
+    size_t n;
+} block;
+
+struct archive {
+    block *list;
+    size_t count, capacity;
+};
+
+archive *archive_create(void) {
+    return alloc_zeroed(1, sizeof(archive));
+}
+
+void archive_free(archive *a) {
+    if (!a)
+        return;
+    for (size_t i = 0; i < a->count; i++)
+        free(a->list[i].bytes);
+    free(a->list);
+    free(a);
+}
+
+void archive_put(archive *a, const char *name, const void *bytes, size_t n) {
+    a->list = alloc_grow(a->list, &a->capacity, a->count + 1, sizeof *a->list);
+    block *b = &a->list[a->count++];
+    snprintf(b->name, sizeof b->name, "%s", name);
+    b->n = n;
+    b->bytes = alloc_zeroed(n + 1, 1);
+    if (n)
+        memcpy(b->bytes, bytes, n);
+}
+
+const char *archive_get(const archive *a, const char *name, size_t *n) {
+    for (size_t i = 0; i < a->count; i++)
+        if (strcmp(a->list[i].name, name) == 0) {
+            if (n)
+                *n = a->list[i].n;
+            return a->list[i].bytes;
+        }
+    return NULL;
+}
+
+/* FNV-1a, 64 bits: finds damage, proves nothing. */
+static uint64_t checksum(const char *bytes, size_t n) {
+    uint64_t h = 0xcbf29ce484222325u;
+    for (size_t i = 0; i < n; i++)
+        h = (h ^ (unsigned char)bytes[i]) * 0x100000001b3u;
+    return h;
+}
+
+static bool write_blocks(const archive *a, FILE *f) {
+    bool good = fputs(MAGIC, f) >= 0;
+    for (size_t i = 0; i < a->count && good; i++) {
+        const block *b = &a->list[i];
+        good = fprintf(f, "%s %zu %016" PRIx64 "\n", b->name, b->n, checksum(b->bytes, b->n)) > 0 &&
+               fwrite(b->bytes, 1, b->n, f) == b->n && fputc('\n', f) != EOF;
+    }
+    return good && fprintf(f, "end 0 0\n") > 0 && fflush(f) == 0 && fsync(fileno(f)) == 0;
+}
+
+int archive_write(const archive *a, const char *path, diag *d) {
+    char *temporary = alloc_format("%s.part", path);
+    FILE *f = fopen(temporary, "wb");
+    bool good = f && write_blocks(a, f);
+    if (f)
+        good = fclose(f) == 0 && good;
+    good = good && rename(temporary, path) == 0;
+    int problem = errno;
+    if (!good && f)
+        remove(temporary);
+    free(temporary);
+    return good ? SARCINA_OK : diag_error(d, "cannot write '%s': %s", path, strerror(problem));
+}
+
+/* One block from f; *last at the end mark. False: the file is cut short or damaged. */
+static bool read_block(archive *a, FILE *f, bool *last) {
+    char name[NAME_MAX_BYTES];
+    size_t n;
+    uint64_t sum;
+    if (fscanf(f, "%63s %zu %" SCNx64, name, &n, &sum) != 3 || fgetc(f) != '\n')
+        return false;
+    *last = strcmp(name, "end") == 0;
+    if (*last)
+        return true;
+    long here = ftell(f);
+    if (fseek(f, 0, SEEK_END) || (size_t)(ftell(f) - here) < n || fseek(f, here, SEEK_SET))
+        return false;
+    char *bytes = alloc_zeroed(n + 1, 1);
+    bool good = fread(bytes, 1, n, f) == n && fgetc(f) == '\n' && checksum(bytes, n) == sum;
+    if (good)
+        archive_put(a, name, bytes, n);
+    free(bytes);
+    return good;
+}
+
+int archive_read(const char *path, archive **out, diag *d) {
+    FILE *f = fopen(path, "rb");
+    if (!f)
+        return diag_error(d, "cannot read '%s': %s", path, strerror(errno));
+    char magic[sizeof MAGIC] = "";
+    bool known = fread(magic, 1, strlen(MAGIC), f) == strlen(MAGIC) && strcmp(magic, MAGIC) == 0;
+    archive *a = archive_create();
+    bool last = false, good = known;
+    while (good && !last)
+        good = read_block(a, f, &last);
+    fclose(f);
+    if (good) {
+        *out = a;
+        return SARCINA_OK;
+    }
+    archive_free(a);
+    if (!known)
+        return diag_error(d, "'%s' is no restart file of this version", path);
+    return diag_error(d, "restart file '%s' is cut short or damaged", path);
+}

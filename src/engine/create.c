@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* New cells: drawn or given, put where there is room, all or none. */
+#include "engine/scene.h"
+
+#include "base/alloc.h"
+#include "base/vec3.h"
+#include "biology/division.h"
+#include "model/axis.h"
+
+#include <gsl/gsl_randist.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* What is there before: to go back to when not all can be placed. */
+typedef struct mark {
+    size_t cells;
+    uint64_t next_id;
+} mark;
+
+static mark set_mark(const scene *s) {
+    return (mark){s->colony->cell.count, s->colony->next_cell_id};
+}
+
+static void return_to(scene *s, mark m) {
+    uint32_t *rows = alloc_zeroed(m.cells, sizeof *rows);
+    for (uint32_t i = 0; i < m.cells; i++)
+        rows[i] = i;
+    colony_arrange(s->colony, rows, m.cells);
+    s->colony->next_cell_id = m.next_id;
+    free(rows);
+}
+
+static vec3 draw_axis(const placement *p, gsl_rng *stream) {
+    vec3 u = {0, 0, 0};
+    switch (p->orient) {
+    case ORIENT_X:
+        return vec3_of(1, 0, 0);
+    case ORIENT_Y:
+        return vec3_of(0, 1, 0);
+    case ORIENT_Z:
+        return vec3_of(0, 0, 1);
+    case ORIENT_XY:
+        gsl_ran_dir_2d(stream, &u.x, &u.y);
+        return u;
+    case ORIENT_RANDOM:
+        gsl_ran_dir_3d(stream, &u.x, &u.y, &u.z);
+        return u;
+    case ORIENT_VECTOR:
+        break;
+    }
+    u = vec3_load(p->axis);
+    return vec3_scale(1 / vec3_norm(u), u);
+}
+
+/* Mass of a new cell: drawn until it is positive. */
+static double draw_mass(const placement *p, gsl_rng *stream) {
+    double mass = 0;
+    for (int i = 0; i < 1000 && !(mass > 0); i++)
+        mass = spread_draw(&p->mass, stream);
+    return mass > 0 ? mass : spread_mean(&p->mass);
+}
+
+/* Appends a cell with its size and shape, all particles at the origin; returns its row. */
+static uint32_t add_cell(scene *s, int species_row, double mass, double diameter) {
+    const species *sp = &s->species.list[species_row];
+    colony *c = s->colony;
+    double origin[6] = {0};
+    uint32_t row = colony_add_cell(c, species_particles(sp), origin);
+    c->cell.species[row] = species_row;
+    c->cell.founder[row] = c->cell.id[row];
+    c->cell.birth[row] = s->time;
+    c->cell.mass[row] = mass;
+    division_draw_size(sp, c, row, s->rng);
+    if (diameter > 0 && sp->shape == SHAPE_ROD)
+        c->cell.diameter[row] = diameter;
+    species_shape_cell(sp, c, row);
+    c->cell.limit[row] = division_limit(sp, s->rng, c->cell.id[row], c->cell.diameter[row], c->cell.aspect[row]);
+    return row;
+}
+
+/* Puts the cell's particles on a line through its centre; then `gap` above the substratum, where that is asked for. */
+static void put_cell(scene *s, uint32_t row, const double centre[3], vec3 axis, double gap) {
+    colony *c = s->colony;
+    uint32_t n = c->cell.nparticles[row];
+    double *x = c->particle.x + 3 * (size_t)c->cell.first[row], lowest = INFINITY;
+    for (uint32_t i = 0; i < n; i++) {
+        double at = n > 1 ? c->cell.rest[row] * ((double)i / (n - 1) - 0.5) : 0;
+        vec3_store(x + 3 * (size_t)i, vec3_axpy(vec3_load(centre), at, axis));
+        lowest = fmin(lowest, x[3 * (size_t)i + 2]);
+    }
+    if (isnan(gap))
+        return;
+    double shift = s->forces.term[FORCE_SUBSTRATUM].p[SUBSTRATUM_Z] + gap + 0.5 * c->cell.diameter[row] - lowest;
+    for (uint32_t i = 0; i < n; i++)
+        x[3 * (size_t)i + 2] += shift;
+    /* a flat cell lies exactly flat: the shift must not leave a rounding error for the daughters to inherit */
+    if (axis.z == 0)
+        for (uint32_t i = 1; i < n; i++)
+            x[3 * (size_t)i + 2] = x[2];
+}
+
+/* Does the cell overlap any of the first n? By their real radii, not the reach of the collision. */
+static bool has_room(const colony *c, uint32_t row, size_t n) {
+    double radius = 0.5 * c->cell.diameter[row];
+    for (uint32_t i = 0; i < n; i++)
+        if (axis_cell_distance(c, row, i) < radius + 0.5 * c->cell.diameter[i])
+            return false;
+    return true;
+}
+
+static int check_placement(const scene *s, const placement *p, diag *d) {
+    if (!isnan(p->gap) && !s->forces.term[FORCE_SUBSTRATUM].on) {
+        diag_error(d, "gap needs a substratum to be measured from");
+        return diag_help(d, "write 'substratum plane' before, or leave gap out");
+    }
+    if (p->orient == ORIENT_VECTOR && !(vec3_norm(vec3_load(p->axis)) > 0))
+        return diag_error(d, "orient 0 0 0 is no direction");
+    return SARCINA_OK;
+}
+
+static int no_room(const scene *s, mark m, size_t wanted, int tries, diag *d) {
+    diag_error(d, "no room for cell %zu of %zu after %d tries; none was created", s->colony->cell.count - m.cells,
+               wanted, tries);
+    return diag_help(d, "take a larger region, a larger maxtry, or 'overlap yes'");
+}
+
+int scene_create_single(scene *s, const placement *p, const double centre[3], size_t *created, diag *d) {
+    int status = check_placement(s, p, d);
+    if (status)
+        return status;
+    mark m = set_mark(s);
+    gsl_rng *stream = rng_stream(s->rng, RNG_CREATE, m.next_id, 0);
+    vec3 axis = draw_axis(p, stream);
+    uint32_t row = add_cell(s, p->species, draw_mass(p, stream), NAN);
+    put_cell(s, row, centre, axis, p->gap);
+    if (!p->overlap && !has_room(s->colony, row, m.cells)) {
+        return_to(s, m);
+        diag_error(d, "the new cell would overlap one that is there");
+        return diag_help(d, "move it, or write 'overlap yes'");
+    }
+    *created = 1;
+    return SARCINA_OK;
+}
+
+int scene_create_random(scene *s, const placement *p, size_t n, const region *where, size_t *created, diag *d) {
+    int status = check_placement(s, p, d);
+    double point[3];
+    if (!status && !region_draw(where, rng_stream(s->rng, RNG_CREATE, 0, 0), point)) {
+        diag_error(d, "region %s has no finite volume to draw places from", where->name);
+        status = diag_help(d, "give a block finite ends, and side in");
+    }
+    if (status)
+        return status;
+    mark m = set_mark(s);
+    for (size_t i = 0; i < n; i++) {
+        gsl_rng *stream = rng_stream(s->rng, RNG_CREATE, s->colony->next_cell_id, 0);
+        double mass = draw_mass(p, stream);
+        uint32_t row = add_cell(s, p->species, mass, NAN);
+        bool room = false;
+        /* add_cell has drawn from other streams: open this one again behind the mass */
+        stream = rng_stream(s->rng, RNG_CREATE, s->colony->cell.id[row], 1);
+        for (int k = 0; k < p->maxtry && !room; k++) {
+            region_draw(where, stream, point);
+            put_cell(s, row, point, draw_axis(p, stream), p->gap);
+            room = p->overlap || has_room(s->colony, row, row);
+        }
+        if (!room) {
+            status = no_room(s, m, n, p->maxtry, d);
+            return_to(s, m);
+            return status;
+        }
+    }
+    *created = n;
+    return SARCINA_OK;
+}
+
+int scene_create_rows(scene *s, const placement *p, const cell_row *rows, size_t n, size_t *created, diag *d) {
+    int status = check_placement(s, p, d);
+    if (status)
+        return status;
+    mark m = set_mark(s);
+    for (size_t i = 0; i < n; i++) {
+        gsl_rng *stream = rng_stream(s->rng, RNG_CREATE, s->colony->next_cell_id, 0);
+        vec3 axis = vec3_load(rows[i].axis);
+        double length = vec3_norm(axis);
+        axis = length > 0 ? vec3_scale(1 / length, axis) : draw_axis(p, stream);
+        double mass = rows[i].mass > 0 ? rows[i].mass : draw_mass(p, stream);
+        uint32_t row = add_cell(s, rows[i].species, mass, rows[i].diameter);
+        put_cell(s, row, rows[i].centre, axis, p->gap);
+        if (!p->overlap && !has_room(s->colony, row, row)) {
+            return_to(s, m);
+            diag_error(d, "cell %zu of %zu would overlap another; none was created", i + 1, n);
+            return diag_help(d, "write 'overlap yes' to allow it");
+        }
+    }
+    *created = n;
+    return SARCINA_OK;
+}

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Growth, relaxation, and the cycle of both. A cycle is atomic: it happens whole or not at all. */
+#include "engine/scene.h"
+
+#include "biology/division.h"
+#include "biology/growth.h"
+#include "engine/snapshot.h"
+
+#include <time.h>
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Adds the seconds since `from` to a stage and returns the present time. */
+static double clock_stage(double *stage, double from) {
+    double t = now();
+    *stage += t - from;
+    return t;
+}
+
+int scene_grow(scene *s, double dt, diag *d) {
+    double t = now();
+    int status = growth_step(s->colony, &s->species, s->rng, s->growth_steps, dt, d);
+    if (status)
+        return status;
+    s->growth_steps++;
+    s->time += dt;
+    t = clock_stage(&s->timing.grow, t);
+    const division_context x = {.colony = s->colony,
+                                .species = &s->species,
+                                .rng = s->rng,
+                                .time = s->time,
+                                .substratum = s->forces.term[FORCE_SUBSTRATUM].on,
+                                .substratum_z = s->forces.term[FORCE_SUBSTRATUM].p[SUBSTRATUM_Z]};
+    division_step(&x);
+    s->colony->version++; /* masses and rest lengths have changed */
+    clock_stage(&s->timing.divide, t);
+    return SARCINA_OK;
+}
+
+int scene_relax(scene *s, double time, double force, relax_result *result, diag *d) {
+    view bound;
+    double t = now();
+    int status = scene_view(s, &bound, d);
+    if (status)
+        return status;
+    snapshot *before = snapshot_take(s);
+    const relax_goal goal = {time, force, s->interrupt};
+    status = relax_run(s->mechanics, &s->relax, &goal, result, d);
+    if (status == SARCINA_OK) {
+        s->relaxed += result->time;
+        s->last_relax = *result;
+    } else {
+        snapshot_restore(s, before);
+    }
+    snapshot_free(before);
+    clock_stage(&s->timing.relax, t);
+    return status;
+}
+
+int scene_cycle(scene *s, double dt, double relax_time, double relax_force, diag *d) {
+    double t = now();
+    snapshot *before = snapshot_take(s);
+    relax_result result = {0};
+    int status = dt > 0 ? scene_grow(s, dt, d) : SARCINA_OK;
+    if (!status && relax_time > 0)
+        status = scene_relax(s, relax_time, relax_force, &result, d);
+    if (!status && result.stop == RELAX_INTERRUPTED)
+        status = diag_fail(d, SARCINA_INTERRUPTED, "interrupted; the scene is as after step %llu",
+                           (unsigned long long)s->step);
+    if (status)
+        snapshot_restore(s, before);
+    else
+        s->step++;
+    snapshot_free(before);
+    clock_stage(&s->timing.total, t);
+    return status;
+}

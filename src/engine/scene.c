@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "engine/scene.h"
+
+#include "base/alloc.h"
+#include "biology/division.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What a new or cleared scene is set to: nothing acts, seed 1, the default accuracy. */
+static void set_defaults(scene *s) {
+    s->neighbor = (neighbor_settings){.skin = -1, .method = NEIGHBOR_CELLS};
+    for (size_t i = 0; i < accuracy_preset_count; i++)
+        if (strcmp(accuracy_presets[i].name, "balanced") == 0)
+            s->accuracy = (int)i;
+    s->relax = accuracy_presets[s->accuracy].settings;
+    memset(&s->forces, 0, sizeof s->forces);
+    memset(&s->last_relax, 0, sizeof s->last_relax);
+    memset(&s->timing, 0, sizeof s->timing);
+    s->step = s->growth_steps = 0;
+    s->time = s->relaxed = 0;
+    rng_seed(s->rng, 1);
+}
+
+scene *scene_create(void) {
+    scene *s = alloc_zeroed(1, sizeof *s);
+    s->colony = colony_create();
+    s->rng = rng_create(1);
+    s->mechanics = mechanics_create();
+    s->threads = 1;
+    set_defaults(s);
+    return s;
+}
+
+void scene_free(scene *s) {
+    if (!s)
+        return;
+    colony_free(s->colony);
+    rng_free(s->rng);
+    mechanics_free(s->mechanics);
+    free(s->species.list);
+    free(s->regions.list);
+    free(s);
+}
+
+void scene_clear(scene *s) {
+    colony_clear(s->colony);
+    s->species.count = 0;
+    s->regions.count = 0;
+    set_defaults(s);
+}
+
+static int prepare(scene *s, diag *d) {
+    const mechanics_input in = {s->colony, &s->species, &s->forces, s->neighbor, rng_get_seed(s->rng), s->threads};
+    return mechanics_prepare(s->mechanics, &in, d);
+}
+
+int scene_view(scene *s, view *out, diag *d) {
+    int status = prepare(s, d);
+    *out = (view){.colony = s->colony,
+                  .species = &s->species,
+                  .mechanics = s->mechanics,
+                  .seed = rng_get_seed(s->rng),
+                  .step = s->step,
+                  .time = s->time,
+                  .relaxed = s->relaxed,
+                  .wall = s->timing.total};
+    return status;
+}
+
+void scene_warn(scene *s, const char *format, ...) {
+    if (!s->warn)
+        return;
+    char message[512];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(message, sizeof message, format, list);
+    va_end(list);
+    s->warn(s->warn_self, message);
+}
+
+void scene_delete(scene *s, const bool *doomed) {
+    size_t n = s->colony->cell.count, kept = 0;
+    uint32_t *rows = alloc_zeroed(n, sizeof *rows);
+    for (uint32_t i = 0; i < n; i++)
+        if (!doomed[i])
+            rows[kept++] = i;
+    if (kept < n)
+        colony_arrange(s->colony, rows, kept);
+    free(rows);
+}
+
+void scene_refresh_species(scene *s, int row) {
+    colony *c = s->colony;
+    const species *sp = &s->species.list[row];
+    for (uint32_t i = 0; i < c->cell.count; i++) {
+        if (c->cell.species[i] != row)
+            continue;
+        species_shape_cell(sp, c, i);
+        c->cell.limit[i] = division_limit(sp, s->rng, c->cell.id[i], c->cell.diameter[i], c->cell.aspect[i]);
+    }
+    c->version++; /* masses and sizes are not what caches of the mechanics hold */
+}
