@@ -99,12 +99,31 @@ static void put_cell(scene *s, uint32_t row, const double centre[3], vec3 axis, 
             x[3 * (size_t)i + 2] = x[2];
 }
 
+/* Smallest box around a cell's particles, grown by `margin`. */
+static void bounding_box(const colony *c, uint32_t row, double margin, double low[3], double high[3]) {
+    const double *x = c->particle.x + 3 * (size_t)c->cell.first[row];
+    for (int k = 0; k < 3; k++) {
+        low[k] = high[k] = x[k];
+        for (uint32_t i = 1; i < c->cell.nparticles[row]; i++) {
+            low[k] = fmin(low[k], x[3 * (size_t)i + (size_t)k]);
+            high[k] = fmax(high[k], x[3 * (size_t)i + (size_t)k]);
+        }
+        low[k] -= margin;
+        high[k] += margin;
+    }
+}
+
 /* Does the cell overlap any of the first n? By their real radii, not the reach of the collision. */
 static bool has_room(const colony *c, uint32_t row, size_t n) {
-    double radius = 0.5 * c->cell.diameter[row];
-    for (uint32_t i = 0; i < n; i++)
-        if (axis_cell_distance(c, row, i) < radius + 0.5 * c->cell.diameter[i])
+    double radius = 0.5 * c->cell.diameter[row], low[3], high[3], l[3], h[3];
+    bounding_box(c, row, radius, low, high);
+    for (uint32_t i = 0; i < n; i++) {
+        bounding_box(c, i, 0.5 * c->cell.diameter[i], l, h);
+        bool apart =
+            l[0] > high[0] || h[0] < low[0] || l[1] > high[1] || h[1] < low[1] || l[2] > high[2] || h[2] < low[2];
+        if (!apart && axis_cell_distance(c, row, i) < radius + 0.5 * c->cell.diameter[i])
             return false;
+    }
     return true;
 }
 
