@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "command/commands.h"
+
+#include "command/session.h"
+
+#include "base/alloc.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static void *create_session(interp *in) {
+    session *s = alloc_zeroed(1, sizeof *s);
+    s->in = in;
+    s->out = outputs_create(in);
+    s->grow_time = NAN;
+    s->relax_time = NAN;
+    return s;
+}
+
+static void free_session(void *client) {
+    session *s = client;
+    outputs_free(s->out);
+    free(s->restart.files[0]);
+    free(s->restart.files[1]);
+    free(s);
+}
+
+void commands_add(command_table *t) {
+    command_set_client(t, create_session, free_session);
+#define COMMAND_ADD(name) command_##name(t);
+    COMMAND_FILES(COMMAND_ADD)
+#undef COMMAND_ADD
+}

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The list of command files: each adds its forms by one function, command_NAME. To add a command: its file, and one
+ * name here. */
+#ifndef SARCINA_COMMAND_COMMANDS_H
+#define SARCINA_COMMAND_COMMANDS_H
+
+#include "script/command.h"
+
+#define COMMAND_FILES(X)                                                                                               \
+    X(settings)                                                                                                        \
+    X(species)                                                                                                         \
+    X(growth)                                                                                                          \
+    X(division)                                                                                                        \
+    X(force)                                                                                                           \
+    X(link)                                                                                                            \
+    X(region)                                                                                                          \
+    X(create_cells)                                                                                                    \
+    X(delete_cells)                                                                                                    \
+    X(set)                                                                                                             \
+    X(grow)                                                                                                            \
+    X(run)                                                                                                             \
+    X(restart)                                                                                                         \
+    X(clear)                                                                                                           \
+    X(info)
+
+#define COMMAND_DECLARE(name) void command_##name(command_table *t);
+COMMAND_FILES(COMMAND_DECLARE)
+#undef COMMAND_DECLARE
+
+/* Adds every command, name class and the session to a new table. */
+void commands_add(command_table *t);
+
+#endif

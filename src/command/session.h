@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What commands keep beside the scene: the schedule of output, and what `run` and `restart` remember. One a scene; the
+ * interpreter's client (interp_client). */
+#ifndef SARCINA_COMMAND_SESSION_H
+#define SARCINA_COMMAND_SESSION_H
+
+#include "command/outputs.h"
+#include "engine/archive.h"
+#include "script/command.h"
+
+/* Checkpoints written while a run goes on. */
+typedef struct restart_schedule {
+    args_cycles_value every; /* is_time false and cycles 0: off */
+    char *files[2];          /* patterns; with two, taken in turn */
+    unsigned turn;
+} restart_schedule;
+
+typedef struct session {
+    interp *in;
+    outputs *out;
+    restart_schedule restart;
+    /* of the last run, for those that leave them out; NaN: none yet */
+    double grow_time;   /* s */
+    double relax_time;  /* s; 0: no relaxation */
+    double relax_force; /* 1e-21 N; 0: by time */
+} session;
+
+session *session_of(interp *in);
+
+/* The scene with everything in it, ready to be measured. */
+int session_view(interp *in, view *v, diag *d);
+
+/* All that a restart file holds: journal, variables, state, where outputs stand. */
+int session_save(interp *in, const char *path, diag *d);
+int session_load(interp *in, const char *path, diag *d);
+
+/* Takes out the scene and its outputs; variables stay. */
+void session_clear(interp *in);
+
+/* `*` in a file's name is the step. The caller frees. */
+char *session_file(const char *pattern, uint64_t step);
+
+#endif
