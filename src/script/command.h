@@ -33,8 +33,8 @@
 #include "base/dim.h"
 #include "base/param.h"
 #include "base/spread.h"
+#include "engine/column.h"
 #include "engine/scene.h"
-#include "output/column.h"
 
 #include <stdbool.h>
 #include <stddef.h>
