@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What measures may look at: the state and the clock, read only. */
+/* What measures may look at: the state and the clock, read only.
+ *
+ * A view shows the state of the moment it was made at: after any change, make another. What is dear to compute for one
+ * cell and cheap for all (forces, contacts, numbers of links) is kept in the view's cache, which whoever makes the
+ * view owns and resets (view_cache_reset) each time. */
 #ifndef SARCINA_ANALYSIS_VIEW_H
 #define SARCINA_ANALYSIS_VIEW_H
 
@@ -15,6 +19,7 @@ typedef struct view {
     double time, relaxed; /* sums of growth steps and of relaxation, s */
     double wall;          /* seconds of computing */
     uint64_t links_formed, links_broken;
+    struct view_cache *cache; /* never NULL where a value of the mechanics or of links is read */
 } view;
 
 #endif

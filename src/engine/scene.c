@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "engine/scene.h"
 
+#include "analysis/view_cache.h"
 #include "base/alloc.h"
 #include "biology/division.h"
 
@@ -29,6 +30,7 @@ scene *scene_create(void) {
     s->colony = colony_create();
     s->rng = rng_create(1);
     s->mechanics = mechanics_create();
+    s->cache = view_cache_create();
     s->threads = 1;
     set_defaults(s);
     return s;
@@ -40,6 +42,7 @@ void scene_free(scene *s) {
     colony_free(s->colony);
     rng_free(s->rng);
     mechanics_free(s->mechanics);
+    view_cache_free(s->cache);
     free(s->species.list);
     free(s->regions.list);
     free(s);
@@ -59,6 +62,7 @@ static int prepare(scene *s, diag *d) {
 
 int scene_view(scene *s, view *out, diag *d) {
     int status = prepare(s, d);
+    view_cache_reset(s->cache);
     *out = (view){.colony = s->colony,
                   .species = &s->species,
                   .mechanics = s->mechanics,
@@ -66,7 +70,8 @@ int scene_view(scene *s, view *out, diag *d) {
                   .step = s->step,
                   .time = s->time,
                   .relaxed = s->relaxed,
-                  .wall = s->timing.total};
+                  .wall = s->timing.total,
+                  .cache = s->cache};
     return status;
 }
 

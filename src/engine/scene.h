@@ -36,6 +36,7 @@ typedef struct scene {
     uint64_t growth_steps; /* grow calls done: the step of the random streams */
     double time, relaxed;  /* s */
     mechanics *mechanics;
+    struct view_cache *cache; /* of the views that scene_view makes */
     scene_timing timing;
     relax_result last_relax;
     const volatile sig_atomic_t *interrupt;        /* set by a signal handler; NULL */
@@ -49,7 +50,8 @@ void scene_free(scene *s);
 /* Takes everything out; the clock, seed and settings are as at the beginning. Callbacks and threads stay. */
 void scene_clear(scene *s);
 
-/* Binds the mechanics to the scene as it stands (cheap when nothing changed) and shows it to measures. */
+/* Binds the mechanics to the scene as it stands (cheap when nothing changed) and shows it to measures. The view holds
+ * until the scene changes or the next one is made. */
 int scene_view(scene *s, view *out, diag *d);
 
 /* Grows every cell for dt and divides those that are due, as one step; in the order of their ids. */

@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Conservative terms as the mechanics give them; the springs of links are told apart by the kind of their link, each
+ * E = k/2 (L - L0)^2. */
+#include "analysis/mechanical.h"
+
+#include "base/alloc.h"
+#include "base/vec3.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { INTERNAL, BEND, FILIAL, STICK, ANCHOR, SPRING, COLLISION, SUBSTRATUM, DLVO, GRAVITY, KINETIC, FIELDS };
+
+static double spring_energy(const colony *c, uint32_t s) {
+    vec3 a = vec3_load(c->particle.x + 3 * (size_t)c->spring.a[s]), b;
+    if (c->spring.b[s] != SPRING_ANCHOR)
+        b = vec3_load(c->particle.x + 3 * (size_t)c->spring.b[s]);
+    else
+        b = vec3_load(c->spring.anchor + 3 * (size_t)s);
+    vec3 d = vec3_sub(b, a);
+    double length = c->spring.glides[s] ? fabs(d.z) : vec3_norm(d);
+    return 0.5 * c->spring.k[s] * (length - c->spring.rest[s]) * (length - c->spring.rest[s]);
+}
+
+/* Links in the order of their ids. */
+typedef struct id_row {
+    uint64_t id;
+    uint32_t row;
+} id_row;
+
+static int compare_id(const void *a, const void *b) {
+    const id_row *p = a, *q = b;
+    return (p->id > q->id) - (p->id < q->id);
+}
+
+static void add_links(const colony *c, double *field) {
+    static const int field_of[] = {
+        [LINK_FILIAL] = FILIAL, [LINK_STICK] = STICK, [LINK_ANCHOR] = ANCHOR, [LINK_SPRING] = SPRING};
+    id_row *order = alloc_zeroed(c->link.count, sizeof *order);
+    for (uint32_t l = 0; l < c->link.count; l++)
+        order[l] = (id_row){c->link.id[l], l};
+    qsort(order, c->link.count, sizeof *order, compare_id);
+    for (size_t i = 0; i < c->link.count; i++) {
+        uint32_t l = order[i].row;
+        for (uint32_t s = 0; s < c->link.nsprings[l]; s++)
+            field[field_of[c->link.kind[l]]] += spring_energy(c, c->link.first[l] + s);
+    }
+    free(order);
+}
+
+int mechanical_energy(const view *v, const bool *members, double *out, diag *d) {
+    if (members)
+        return diag_error(d, "energy belongs to the whole colony, not to a group");
+    const colony *c = v->colony;
+    double *field = out + 1;
+    for (int i = 0; i < FIELDS; i++)
+        field[i] = 0;
+    field[INTERNAL] = mechanics_energy(v->mechanics, FORCE_INTERNAL, c->particle.x);
+    field[COLLISION] = mechanics_energy(v->mechanics, FORCE_COLLISION, c->particle.x);
+    field[SUBSTRATUM] = mechanics_energy(v->mechanics, FORCE_SUBSTRATUM, c->particle.x);
+    field[DLVO] = mechanics_energy(v->mechanics, FORCE_DLVO, c->particle.x);
+    field[GRAVITY] = mechanics_energy(v->mechanics, FORCE_GRAVITY, c->particle.x);
+    field[KINETIC] = mechanics_kinetic(v->mechanics, c->particle.v);
+    add_links(c, field);
+    out[0] = 0;
+    for (int i = 0; i < FIELDS; i++)
+        out[0] += field[i];
+    return SARCINA_OK;
+}
+
+int mechanical_fmax(const view *v, const bool *members, double *out, diag *d) {
+    if (members)
+        return diag_error(d, "fmax belongs to the whole colony, not to a group");
+    out[0] = mechanics_fmax(v->mechanics);
+    return SARCINA_OK;
+}

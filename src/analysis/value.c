@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "analysis/value.h"
+
+#include "analysis/cell.h"
+#include "analysis/component.h"
+#include "analysis/ellipse.h"
+#include "analysis/extent.h"
+#include "analysis/mechanical.h"
+#include "analysis/orientation.h"
+#include "analysis/plane.h"
+#include "analysis/state.h"
+#include "base/table.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char storck[] = "Storck et al. (2014), Biophys. J. 106:2037";
+
+#define CELL_VALUE(id, dimension_, definition)                                                                         \
+    {.name = #id, .scope = VALUE_CELL, .dimension = (dimension_), .summary = (definition), .cell = cell_##id},
+#define STATE(id, dimension_, fields_, definition)                                                                     \
+    {                                                                                                                  \
+        .name = #id, .scope = VALUE_STATE, .dimension = (dimension_), .fields = (fields_), .summary = (definition),    \
+        .measure = state_##id                                                                                          \
+    }
+#define ANALYSIS(id, dimension_, fields_, definition, source_, function)                                               \
+    {                                                                                                                  \
+        .name = #id, .scope = VALUE_ANALYSIS, .dimension = (dimension_), .fields = (fields_), .summary = (definition), \
+        .source = (source_), .measure = (function)                                                                     \
+    }
+
+const value_style value_styles[] = {
+    CELL_VALUES{.name = "species",
+                .scope = VALUE_CELL,
+                .dimension = "text",
+                .summary = "name of its species",
+                .text = cell_species},
+    STATE(step, "number", NULL, "cycles done"),
+    STATE(time, "time", NULL, "sum of the growth steps"),
+    STATE(relaxed, "time", NULL, "sum of the relaxation"),
+    STATE(cells, "number", NULL, "number of cells"),
+    STATE(particles, "number", NULL, "number of particles"),
+    STATE(links, "number",
+          "internal:number,bend:number,twist:number,filial:number,stick:number,anchor:number,formed:number,"
+          "broken:number",
+          "number of links between cells and to the substratum; internal: springs inside cells; formed, broken: since "
+          "the start"),
+    STATE(wall, "time", NULL, "seconds of computing"),
+    {.name = "fmax",
+     .scope = VALUE_STATE,
+     .dimension = "force",
+     .summary = "largest net force on a particle, damping left out",
+     .measure = mechanical_fmax},
+    ANALYSIS(energy, "energy", MECHANICAL_ENERGY_FIELDS, "sum of all terms, each a field; kinetic energy included",
+             NULL, mechanical_energy),
+    ANALYSIS(thickness, "length", NULL, "height of the highest particle centre", storck, extent_thickness),
+    ANALYSIS(orientation, "number", NULL, "mean over pairs of cells of 2 cos^2(theta) - 1, theta between their axes",
+             storck, orientation_measure),
+    ANALYSIS(ellipse, "area", "area:area,major:length,minor:length,angle:angle",
+             "area of the smallest ellipse around the particle centres seen from above; its axes and the angle of the "
+             "major one to x",
+             storck, ellipse_measure),
+    ANALYSIS(hull, "area", NULL, "area of the convex hull of the particle centres seen from above", NULL,
+             plane_hull_measure),
+    ANALYSIS(gyration, "length", NULL, "root mean square distance of the cells' centres from their mean", NULL,
+             extent_gyration),
+    ANALYSIS(clusters, "number", "largest:number,mean:number",
+             "sets of cells that links join, single cells included; cells in the largest, and on average", NULL,
+             component_clusters),
+    ANALYSIS(filaments, "number", "longest:number,mean:number,ends:number",
+             "chains of two or more cells that filial links join; cells in the longest, and on average; cells with one "
+             "filial link",
+             NULL, component_filaments),
+};
+const size_t value_style_count = TABLE_COUNT(value_styles);
+
+const value_style *value_find(const char *name) {
+    ptrdiff_t row = table_find(value_styles, value_style_count, sizeof *value_styles, name);
+    return row < 0 ? NULL : &value_styles[row];
+}
+
+size_t value_field_count(const value_style *s) {
+    size_t n = s->fields != NULL;
+    for (const char *p = s->fields; p && (p = strchr(p, ',')); p++)
+        n++;
+    return n;
+}
+
+/* Beginning of the i-th field's text; NULL when there are fewer. */
+static const char *field_text(const value_style *s, size_t i) {
+    const char *p = s->fields;
+    for (; p && i > 0; i--)
+        if ((p = strchr(p, ',')))
+            p++;
+    return p;
+}
+
+int value_field_find(const value_style *s, const char *field) {
+    size_t length = strlen(field);
+    for (size_t i = 0; i < value_field_count(s); i++) {
+        const char *p = field_text(s, i);
+        if (strncmp(p, field, length) == 0 && p[length] == ':')
+            return (int)i;
+    }
+    return -1;
+}
+
+void value_field(const value_style *s, size_t i, char name[32], dim *d) {
+    char dimension[32];
+    int read = sscanf(field_text(s, i), "%31[^:]:%31[^,]", name, dimension);
+    bool known = read == 2 && dim_by_name(dimension, d);
+    assert(known);
+    (void)known;
+}
+
+dim value_dim(const value_style *s) {
+    dim d = DIM_NONE;
+    dim_by_name(s->dimension, &d);
+    return d;
+}
