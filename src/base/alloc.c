@@ -40,6 +40,11 @@ void *alloc_grow(void *p, size_t *capacity, size_t need, size_t size) {
     return alloc_resize(p, *capacity, size);
 }
 
+void *alloc_aligned(size_t n, size_t size, size_t alignment) {
+    size_t total = bytes(n, size), rest = total % alignment;
+    return checked(aligned_alloc(alignment, rest ? total + alignment - rest : total));
+}
+
 char *alloc_copy_n(const char *text, size_t n) {
     char *copy = alloc_resize(NULL, n + 1, 1);
     memcpy(copy, text, n);

@@ -14,6 +14,9 @@ void *alloc_resize(void *p, size_t n, size_t size);
 /* p made to hold at least need items of size bytes, growing by half; *capacity is updated. */
 void *alloc_grow(void *p, size_t *capacity, size_t need, size_t size);
 
+/* n x size bytes at a multiple of alignment (a power of two); never NULL, not set. The caller frees. */
+void *alloc_aligned(size_t n, size_t size, size_t alignment);
+
 /* A copy of text (of its first n bytes); the caller frees. */
 char *alloc_copy(const char *text);
 char *alloc_copy_n(const char *text, size_t n);

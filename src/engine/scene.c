@@ -56,7 +56,8 @@ void scene_clear(scene *s) {
 }
 
 static int prepare(scene *s, diag *d) {
-    const mechanics_input in = {s->colony, &s->species, &s->forces, s->neighbor, rng_get_seed(s->rng), s->threads};
+    const mechanics_input in = {s->colony,  &s->species, &s->forces, s->neighbor, rng_get_seed(s->rng),
+                                s->threads, false};
     return mechanics_prepare(s->mechanics, &in, d);
 }
 

@@ -26,6 +26,7 @@ typedef struct mechanics_input {
     neighbor_settings neighbor;
     uint64_t seed;
     int threads;
+    bool lenient; /* bind to look, not to move: terms that lack what they need are no error */
 } mechanics_input;
 
 typedef struct mechanics mechanics;
@@ -38,6 +39,9 @@ void mechanics_free(mechanics *m);
  * cheap when nothing has (colony.version and the settings are compared). On error nothing is bound. */
 int mechanics_prepare(mechanics *m, const mechanics_input *in, diag *d);
 
+/* The checks of mechanics_prepare alone; changes nothing. */
+int mechanics_check(const mechanics_input *in, diag *d);
+
 /* Forces f (nparticles x 3) at x, v (nparticles x 3): every active term; damping too. Rebuilds the neighbour list when
  * x has moved out of its skin. */
 void mechanics_force(mechanics *m, const double *x, const double *v, double *f);
@@ -45,12 +49,37 @@ void mechanics_force(mechanics *m, const double *x, const double *v, double *f);
 /* The same without damping, for integrators that damp exactly, and for fmax. */
 void mechanics_force_undamped(mechanics *m, const double *x, double *f);
 
+/* The same of one term alone, 0 when it is not active; v may be NULL for terms that do not read it. */
+void mechanics_force_of(mechanics *m, force_kind term, const double *x, const double *v, double *f);
+
 double mechanics_drag(const mechanics *m);        /* linear drag of a particle; 0 without damping */
 const double *mechanics_mass(const mechanics *m); /* mass of each particle (nparticles) */
 size_t mechanics_particles(const mechanics *m);
 
+/* The colony's own x and v (nparticles x 3), for who moves them. */
+void mechanics_state(const mechanics *m, double **x, double **v);
+
+/* Particle rows in the order of their cells' ids (nparticles): the order of sums over all of them. NULL: rows stand in
+ * that order. */
+const uint32_t *mechanics_order(const mechanics *m);
+
+/* Radius of each particle, um (nparticles). */
+const double *mechanics_radius(const mechanics *m);
+
 /* Largest eigenfrequency squared (1/s2) of the bare springs that act at x: the bound on explicit steps. */
 double mechanics_stiffness(mechanics *m, const double *x);
+
+/* The same by power iteration from mode (nparticles x 3), the last eigenvector found, which it improves: cheap where
+ * the system has changed little. A mode of zeros is started anew. */
+double mechanics_stiffness_from(mechanics *m, const double *x, double *mode);
+
+/* Who is to blame for a step that cannot be taken at x: the particle's cell, and the term that stresses it most. */
+typedef struct mechanics_culprit {
+    uint64_t cell;
+    force_kind term;
+    double k, mass; /* the stiffest spring that acts on the particle, pg/s2, and its mass, pg */
+} mechanics_culprit;
+mechanics_culprit mechanics_blame(mechanics *m, const double *x, size_t particle);
 
 /* Energy of one term at x (1e-27 J); 0 for a term that is not active or has none. */
 double mechanics_energy(mechanics *m, force_kind term, const double *x);
@@ -72,5 +101,8 @@ typedef struct mechanics_stats {
     const char *kernel; /* "avx512", "avx2", "base" */
 } mechanics_stats;
 mechanics_stats mechanics_statistics(const mechanics *m);
+
+/* Chooses the contact kernel by name, for tests and measurements; false when this processor lacks it. */
+bool mechanics_kernel(mechanics *m, const char *name);
 
 #endif

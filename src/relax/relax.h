@@ -15,6 +15,8 @@ typedef enum {
     INTEGRATOR_RK4,
     INTEGRATOR_RKF45,
     INTEGRATOR_RK8PD,
+    INTEGRATOR_EULER,
+    INTEGRATOR_BS32,
     INTEGRATOR_COUNT
 } integrator_kind;
 
@@ -24,6 +26,7 @@ typedef struct relax_settings {
     double step;      /* fixed step, s; 0: from the present stiffness (verlet, rk4) or by error control */
     double tolerance; /* error a step, um and um/s (RMS over all components); 0: the integrator's own */
     double segment;   /* the integrator starts anew after this much time, s; 0: never (accuracy paper: 0.2 s) */
+    double most;      /* no step longer than this, s; 0: no bound */
 } relax_settings;
 
 /* Presets by name: draft, fast, balanced, paper, reference. Row of a preset; -1. */

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* oracle-force FOLDER: accelerations of frozen states against those the original authors' program computes. Per state:
+ * max |a - a_ref| / max |a_ref|, which must not exceed 1e-9. Exit 0: all states do; 1: not; 2: the data cannot be read.
+ */
+#include "app/oracle_data.h"
+
+#include "base/alloc.h"
+#include "base/dim.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double bound = 1e-9;
+
+/* Largest deviation and largest reference, m/s2, over the state's particles. */
+static void compare(const oracle_scene *s, const char *state, const oracle_table *particles, const double *force,
+                    const double *mass, double *deviation, double *largest) {
+    static const char *const columns[3] = {"ax", "ay", "az"};
+    size_t p = 0;
+    *deviation = *largest = 0;
+    for (size_t i = 0; i < particles->nrows; i++) {
+        if (strcmp(oracle_table_text(particles, i, "state"), state) != 0)
+            continue;
+        double square = 0, square_ref = 0;
+        uint32_t row = s->row[p++];
+        for (size_t k = 0; k < 3; k++) {
+            double a = dim_from_engine(force[3 * (size_t)row + k] / mass[row], DIM(1, 0, -2));
+            double ref = oracle_table_number(particles, i, columns[k]);
+            square += (a - ref) * (a - ref);
+            square_ref += ref * ref;
+        }
+        *deviation = fmax(*deviation, sqrt(square));
+        *largest = fmax(*largest, sqrt(square_ref));
+    }
+}
+
+static bool check_state(const char *state, const oracle_table *particles, const oracle_table *springs,
+                        const oracle_table *params) {
+    oracle_scene s;
+    mechanics *m = mechanics_create();
+    diag d = {0};
+    bool passed = false;
+    if (oracle_scene_make(&s, state, particles, springs, params) && oracle_scene_bind(&s, m, &d) == SARCINA_OK) {
+        double *force = alloc_zeroed(3 * s.nparticles, sizeof *force), deviation, largest;
+        mechanics_force(m, s.colony->particle.x, s.colony->particle.v, force);
+        compare(&s, state, particles, force, mechanics_mass(m), &deviation, &largest);
+        passed = deviation <= bound * largest;
+        printf("%-55s %3zu particles  %9.2e  %s\n", state, s.nparticles, deviation / largest, passed ? "ok" : "FAILED");
+        free(force);
+    } else {
+        printf("%-55s FAILED %s\n", state, d.message);
+    }
+    mechanics_free(m);
+    oracle_scene_free(&s);
+    return passed;
+}
+
+int main(int argc, char **argv) {
+    oracle_table particles, springs, params;
+    if (argc != 2) {
+        fprintf(stderr, "usage: oracle-force FOLDER\n");
+        return 2;
+    }
+    if (!oracle_table_read(&particles, argv[1], "particles.csv") ||
+        !oracle_table_read(&springs, argv[1], "springs.csv") || !oracle_table_read(&params, argv[1], "params.csv"))
+        return 2;
+    int passed = 0, failed = 0;
+    for (size_t i = 0; i < params.nrows; i++)
+        *(check_state(oracle_table_text(&params, i, "state"), &particles, &springs, &params) ? &passed : &failed) += 1;
+    printf("%d passed, %d failed\n", passed, failed);
+    oracle_table_free(&particles);
+    oracle_table_free(&springs);
+    oracle_table_free(&params);
+    return failed || !passed;
+}

@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Evaluation of the active terms, and upkeep of what they read: capsules at every state, the neighbour list when a
+ * particle has moved by more than half the skin since it was built. */
+#include "mechanics/state.h"
+
+#include "base/alloc.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Beyond this from the origin (um) a state counts as lost: bins and distances would lose their meaning. */
+static const double farthest = 1e15;
+
+int state_threads(const mechanics *m) {
+    size_t useful = 1 + m->nbodies / 256;
+    return (size_t)m->threads < useful ? m->threads : (int)useful;
+}
+
+static void set_capsule(capsule *c, const body *b, const double *x) {
+    const double *first = x + 3 * (size_t)b->first, *last = first + 3 * (size_t)(b->count - 1);
+    for (int k = 0; k < 3; k++) {
+        c->x[k] = first[k];
+        c->d[k] = last[k] - first[k];
+    }
+    c->radius = b->radius;
+    c->rest = b->rest;
+}
+
+static double move_squared(const double *now, const double *then) {
+    double d[3] = {now[0] - then[0], now[1] - then[1], now[2] - then[2]};
+    return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+}
+
+/* Capsules at x; whether a particle has left its half of the skin (or is not a number). */
+static bool set_capsules(mechanics *m, const double *x) {
+    double limit = 0.25 * m->skin * m->skin;
+    bool listed = m->listed && m->neighbor.method == NEIGHBOR_CELLS, left = false;
+#pragma omp parallel for num_threads(state_threads(m)) schedule(static) reduction(|| : left)
+    for (size_t slot = 0; slot < m->nbodies; slot++) {
+        const body *b = &m->bodies[slot];
+        set_capsule(&m->capsules[slot], b, x);
+        if (!listed)
+            continue;
+        const double *first = x + 3 * (size_t)b->first, *last = first + 3 * (size_t)(b->count - 1);
+        const double *then = m->built_at + 6 * slot;
+        bool stays = move_squared(first, then) <= limit && move_squared(last, then + 3) <= limit;
+        left = left || !stays;
+    }
+    return left;
+}
+
+static bool is_finite(const mechanics *m, const double *x) {
+    for (size_t i = 0; i < 3 * m->nparticles; i++)
+        if (!(fabs(x[i]) < farthest))
+            return false;
+    return true;
+}
+
+/* Puts bodies near in space near in memory. */
+static void sort_bodies(mechanics *m, const double *x) {
+    uint32_t *order = alloc_zeroed(m->nbodies, sizeof *order);
+    neighbor_sort(m->capsules, m->nbodies, order);
+    for (size_t slot = 0; slot < m->nbodies; slot++)
+        m->spare[slot] = m->bodies[order[slot]];
+    free(order);
+    body *swap = m->bodies;
+    m->bodies = m->spare;
+    m->spare = swap;
+    state_index(m);
+    for (size_t slot = 0; slot < m->nbodies; slot++)
+        set_capsule(&m->capsules[slot], &m->bodies[slot], x);
+}
+
+static void build(mechanics *m, const double *x) {
+    double begin = omp_get_wtime();
+    m->neighbor.method = m->settings.method;
+    m->neighbor.skin = m->skin;
+    sort_bodies(m, x);
+    neighbor_build(&m->neighbor, m->bodies, m->capsules, m->nbodies, m->reach, state_threads(m), m->kernel);
+    for (size_t slot = 0; slot < m->nbodies; slot++) {
+        const body *b = &m->bodies[slot];
+        memcpy(m->built_at + 6 * slot, x + 3 * (size_t)b->first, 3 * sizeof *x);
+        memcpy(m->built_at + 6 * slot + 3, x + 3 * (size_t)(b->first + b->count - 1), 3 * sizeof *x);
+    }
+    m->listed = true;
+    m->stats.builds++;
+    m->stats.build_seconds += omp_get_wtime() - begin;
+}
+
+bool state_refresh_pairs(mechanics *m, const double *x) {
+    if (m->nbodies > m->capsule_capacity) {
+        m->capsule_capacity = m->nbodies + m->nbodies / 2;
+        free(m->capsules);
+        m->capsules = alloc_aligned(m->capsule_capacity, sizeof *m->capsules, _Alignof(capsule));
+        m->built_at = alloc_resize(m->built_at, 6 * m->capsule_capacity, sizeof *m->built_at);
+    }
+    bool left = set_capsules(m, x);
+    if (m->listed && !left)
+        return true;
+    if (!is_finite(m, x))
+        return false;
+    build(m, x);
+    return true;
+}
+
+bool state_refresh(mechanics *m, const double *x) {
+    return !m->wants_pairs || state_refresh_pairs(m, x);
+}
+
+force_frame state_frame(const mechanics *m, const double *x, const double *v) {
+    return (force_frame){
+        .bodies = m->bodies,
+        .nbodies = m->nbodies,
+        .x = x,
+        .v = v,
+        .mass = m->mass,
+        .capsules = m->capsules,
+        .neighbor = &m->neighbor,
+        .springs = &m->springs,
+        .kernel = m->kernel,
+        .forces = &m->forces,
+        .seed = m->seed,
+    };
+}
+
+static void clear_chunk(const mechanics *m, size_t begin, size_t end, double *f) {
+    for (size_t slot = begin; slot < end; slot++)
+        memset(f + 3 * (size_t)m->bodies[slot].first, 0, 3 * (size_t)m->bodies[slot].count * sizeof *f);
+}
+
+/* The terms of `which` (bit i: row i of the table), in the table's order, chunk by chunk. */
+static void evaluate(mechanics *m, unsigned which, const double *x, const double *v, double *f) {
+    double begin = omp_get_wtime(), built = m->stats.build_seconds;
+    if (!state_refresh(m, x)) {
+        for (size_t i = 0; i < 3 * m->nparticles; i++)
+            f[i] = NAN;
+        return;
+    }
+    const force_frame at = state_frame(m, x, v);
+    const size_t chunks = (m->nbodies + STATE_CHUNK - 1) / STATE_CHUNK;
+#pragma omp parallel for num_threads(state_threads(m)) schedule(static)
+    for (size_t chunk = 0; chunk < chunks; chunk++) {
+        size_t first = chunk * STATE_CHUNK, last = first + STATE_CHUNK;
+        last = last < m->nbodies ? last : m->nbodies;
+        clear_chunk(m, first, last, f);
+        for (int i = 0; i < FORCE_COUNT; i++)
+            if (which >> i & 1 && m->forces.term[i].on)
+                force_styles[i]->add(m->forces.term[i].p, &at, first, last, f);
+    }
+    m->stats.evaluations++;
+    m->stats.force_seconds += omp_get_wtime() - begin - (m->stats.build_seconds - built);
+}
+
+void mechanics_force(mechanics *m, const double *x, const double *v, double *f) {
+    evaluate(m, ~0u, x, v, f);
+}
+
+void mechanics_force_undamped(mechanics *m, const double *x, double *f) {
+    evaluate(m, ~(1u << FORCE_DAMPING), x, NULL, f);
+}
+
+void mechanics_force_of(mechanics *m, force_kind term, const double *x, const double *v, double *f) {
+    evaluate(m, 1u << term, x, v, f);
+}

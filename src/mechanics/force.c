@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mechanics/force_style.h"
+
+#include "base/alloc.h"
+#include "mechanics/force/forces.h"
+
+#include <string.h>
+
+const force_style *const force_styles[FORCE_COUNT] = {
+    [FORCE_INTERNAL] = &force_internal,     [FORCE_SPRINGS] = &force_springs, [FORCE_COLLISION] = &force_collision,
+    [FORCE_SUBSTRATUM] = &force_substratum, [FORCE_DLVO] = &force_dlvo,       [FORCE_DAMPING] = &force_damping,
+    [FORCE_GRAVITY] = &force_gravity,
+};
+
+const force_style *force_find(const char *name) {
+    for (int i = 0; i < FORCE_COUNT; i++)
+        if (strcmp(force_styles[i]->name, name) == 0)
+            return force_styles[i];
+    return NULL;
+}
+
+stiff_spring *stiff_list_add(stiff_list *list) {
+    list->list = alloc_grow(list->list, &list->capacity, list->count + 1, sizeof *list->list);
+    stiff_spring *next = &list->list[list->count++];
+    memset(next, 0, sizeof *next);
+    return next;
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Drag of the liquid on each particle: F = -k v. Integrators that damp exactly leave it out and use the drag itself.
+ * Source: Storck et al. 2014, "Damping". */
+#include "mechanics/force/forces.h"
+
+static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+    for (size_t slot = begin; slot < end; slot++) {
+        const body *b = &at->bodies[slot];
+        for (size_t i = 3 * (size_t)b->first; i < 3 * (size_t)(b->first + b->count); i++)
+            f[i] += -p[DAMPING_K] * at->v[i];
+    }
+}
+
+static double drag(const double *p) {
+    return p[DAMPING_K];
+}
+
+static const param params[] = {
+    {"k=1e-13N.s/m:drag[0,)", "drag of a particle"},
+};
+
+const force_style force_damping = {
+    .name = "damping",
+    .command = "force",
+    .summary = "drag of the liquid on each particle",
+    .formula = "F = -k v per particle",
+    .source = "Storck et al. 2014, damping",
+    .example = "force damping k 1e-13N.s/m",
+    .params = params,
+    .nparams = sizeof params / sizeof params[0],
+    .caps = FORCE_READS_VELOCITY,
+    .add = add,
+    .drag = drag,
+};

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Attraction and repulsion between each particle and the substratum across the gap d = h - r, held at or above
+ * d0 = clamp/kappa (nearer, the law would be stiffer than the contact):
+ *     F_z = C_ES kappa exp(-kappa d) - C_vdW / d^2
+ *     E   = C_ES exp(-kappa d) - C_vdW / d        for d > d0, and E(d0) - F_z(d0) (gap - d0) below
+ * C_ES: electrostatic coefficient (energy), C_vdW: Hamaker constant times r/6 (energy x length), kappa: inverse Debye
+ * length. Source: Storck et al. 2014, "DLVO". */
+#include "mechanics/force/forces.h"
+
+#include <math.h>
+#include <sleef.h>
+
+static double repulsion(const double *p, double d) {
+    return p[DLVO_CES] * Sleef_cinz_expd1_u10purec(-p[DLVO_KAPPA] * d);
+}
+
+static double gap(const force_frame *at, const body *b, uint32_t particle) {
+    return at->x[3 * (size_t)particle + 2] - force_floor(at) - b->radius;
+}
+
+static double held(const double *p, double d) {
+    double least = p[DLVO_CLAMP] / p[DLVO_KAPPA];
+    return d > least ? d : least;
+}
+
+/* Force along z at a held gap. */
+static double force(const double *p, double d) {
+    return p[DLVO_KAPPA] * repulsion(p, d) - p[DLVO_CVDW] / (d * d);
+}
+
+static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+    for (size_t slot = begin; slot < end; slot++) {
+        const body *b = &at->bodies[slot];
+        for (uint32_t i = b->first; i < b->first + b->count; i++)
+            f[3 * (size_t)i + 2] += force(p, held(p, gap(at, b, i)));
+    }
+}
+
+static double energy(const double *p, const force_frame *at, size_t slot) {
+    const body *b = &at->bodies[slot];
+    double sum = 0;
+    for (uint32_t i = b->first; i < b->first + b->count; i++) {
+        double g = gap(at, b, i), d = held(p, g);
+        sum += repulsion(p, d) - p[DLVO_CVDW] / d - force(p, d) * (g - d);
+    }
+    return sum;
+}
+
+/* |dF/dz| where the law is not held: it acts as a spring of that constant. */
+static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
+    const body *b = &at->bodies[slot];
+    for (uint32_t i = b->first; i < b->first + b->count; i++) {
+        double d = gap(at, b, i);
+        if (d != held(p, d))
+            continue;
+        double k = p[DLVO_KAPPA] * p[DLVO_KAPPA] * repulsion(p, d) - 2 * p[DLVO_CVDW] / (d * d * d);
+        *stiff_list_add(out) = (stiff_spring){{i}, {1}, {0, 0, 1}, fabs(k), 1};
+    }
+}
+
+static int prepare(const double *p, const force_scene *scene, diag *d) {
+    (void)p;
+    if (scene->forces->term[FORCE_SUBSTRATUM].on)
+        return SARCINA_OK;
+    diag_error(d, "force dlvo acts between cells and a substratum, and the scene has none");
+    return diag_help(d, "substratum plane z 0 k 1e-10N/m");
+}
+
+static const param params[] = {
+    {"ces=1e-22N.m:energy[0,)", "electrostatic coefficient"},
+    {"cvdw=1e-31N.m2:energylength[0,)", "van der Waals coefficient"},
+    {"kappa=5e7/m:wavenumber(0,)", "inverse Debye length"},
+    {"clamp=6:number(0,)", "least gap, in Debye lengths"},
+};
+
+const force_style force_dlvo = {
+    .name = "dlvo",
+    .command = "force",
+    .summary = "attraction and repulsion between cells and substratum across the gap",
+    .formula = "F_z = C_ES kappa exp(-kappa d) - C_vdW/d^2 per particle, d = max(h - r, clamp/kappa)",
+    .source = "Storck et al. 2014, DLVO",
+    .example = "force dlvo ces 1e-22N.m cvdw 1e-31N.m2 kappa 5e7/m",
+    .params = params,
+    .nparams = sizeof params / sizeof params[0],
+    .caps = FORCE_CONSERVATIVE,
+    .prepare = prepare,
+    .add = add,
+    .energy = energy,
+    .stiffness = stiffness,
+};

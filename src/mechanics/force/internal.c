@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The spring inside a rod: F = k (L - L0) along the rod on each end, E = k/2 (L - L0)^2; k by species, L0 the cell's
+ * rest length, which its mass sets. A rod of length zero takes a seeded direction.
+ * Source: Storck et al. 2014, "Primary structure". */
+#include "mechanics/force/forces.h"
+#include "mechanics/spring.h"
+
+/* Tension (k times stretch) of a rod, and its direction from its first particle. */
+static double tension(const force_frame *at, const body *b, double u[3]) {
+    const double *x = at->x + 3 * (size_t)b->first;
+    double length =
+        spring_direction(x, x + 3, at->seed, body_particle_key(b, b->first), body_particle_key(b, b->first + 1), u);
+    return b->internal_k * (length - b->rest);
+}
+
+static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+    (void)p;
+    for (size_t slot = begin; slot < end; slot++) {
+        const body *b = &at->bodies[slot];
+        if (b->count != 2 || b->internal_k == 0)
+            continue;
+        double u[3], pull = tension(at, b, u), *out = f + 3 * (size_t)b->first;
+        for (int i = 0; i < 3; i++) {
+            out[i] += pull * u[i];
+            out[i + 3] -= pull * u[i];
+        }
+    }
+}
+
+static double energy(const double *p, const force_frame *at, size_t slot) {
+    (void)p;
+    const body *b = &at->bodies[slot];
+    if (b->count != 2 || b->internal_k == 0)
+        return 0;
+    double u[3], pull = tension(at, b, u);
+    return 0.5 * pull * pull / b->internal_k;
+}
+
+static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
+    (void)p;
+    const body *b = &at->bodies[slot];
+    if (b->count != 2 || b->internal_k == 0)
+        return;
+    stiff_spring *s = stiff_list_add(out);
+    *s = (stiff_spring){{b->first, b->first + 1}, {1, -1}, {0}, b->internal_k, 2};
+    tension(at, b, s->direction);
+}
+
+/* Has a cell a link of its own, such as a spring listed between its ends? */
+static bool has_own_link(const colony *c, uint64_t id) {
+    for (size_t l = 0; l < c->link.count; l++)
+        if (c->link.kind[l] == LINK_SPRING && c->link.cell_a[l] == id && c->link.cell_b[l] == id)
+            return true;
+    return false;
+}
+
+/* Every rod needs its spring: without one its ends would be free of each other. */
+static int prepare(const double *p, const force_scene *scene, diag *d) {
+    (void)p;
+    const cell_columns *cells = &scene->colony->cell;
+    for (size_t i = 0; i < cells->count; i++) {
+        const species *s = &scene->species->list[cells->species[i]];
+        if (cells->nparticles[i] < 2 || s->internal_k > 0 || has_own_link(scene->colony, cells->id[i]))
+            continue;
+        diag_error(d, "species %s is a rod without link internal: nothing holds its ends together", s->name);
+        return diag_help(d, "link internal %s k 5e-11N/m", s->name);
+    }
+    return SARCINA_OK;
+}
+
+const force_style force_internal = {
+    .name = "internal",
+    .summary = "the spring inside each rod",
+    .formula = "F = k (L - L0) along the rod; E = k/2 (L - L0)^2; k by species",
+    .source = "Storck et al. 2014, primary structure",
+    .example = "link internal ecoli k 5e-11N/m",
+    .caps = FORCE_CONSERVATIVE | FORCE_BALANCED | FORCE_CENTRAL,
+    .prepare = prepare,
+    .add = add,
+    .energy = energy,
+    .stiffness = stiffness,
+};

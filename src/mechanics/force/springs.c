@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The springs of links: F on a = k (L - L0) u, u the unit vector from a to b, E = k/2 (L - L0)^2.
+ *
+ * An anchor holds a particle to a fixed point; a gliding one follows below the particle, so that only z counts. A
+ * spring of length zero takes a seeded direction; an anchor of length zero points down, where its kind is made.
+ * Source: Storck et al. 2014, "Filial, sticking and anchoring links". */
+#include "mechanics/force/forces.h"
+#include "mechanics/spring.h"
+
+#include <math.h>
+
+/* Length of the spring that ends at a particle, and its direction from there. */
+static double reach_end(const force_frame *at, const spring_end *end, uint64_t key, uint32_t particle, double u[3]) {
+    const spring_columns *springs = at->springs->springs;
+    const double *x = at->x + 3 * (size_t)particle;
+    if (end->other != SPRING_ANCHOR)
+        return spring_direction(x, at->x + 3 * (size_t)end->other, at->seed, key, end->key, u);
+    const double *anchor = springs->anchor + 3 * (size_t)end->spring;
+    bool glides = springs->glides[end->spring];
+    double d[3] = {glides ? 0 : anchor[0] - x[0], glides ? 0 : anchor[1] - x[1], anchor[2] - x[2]};
+    double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    for (int i = 0; i < 3; i++)
+        u[i] = length > 0 ? d[i] / length : i == 2 ? -1 : 0;
+    return length;
+}
+
+static void add_particle(const force_frame *at, const body *b, uint32_t particle, double *f) {
+    const spring_index *index = at->springs;
+    const spring_columns *springs = index->springs;
+    uint64_t key = body_particle_key(b, particle);
+    for (uint32_t e = index->start[particle]; e < index->start[particle + 1]; e++) {
+        const spring_end *end = &index->ends[e];
+        double u[3], length = reach_end(at, end, key, particle, u);
+        double tension = springs->k[end->spring] * (length - springs->rest[end->spring]);
+        for (int i = 0; i < 3; i++)
+            f[3 * (size_t)particle + (size_t)i] += tension * u[i];
+    }
+}
+
+static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+    (void)p;
+    for (size_t slot = begin; slot < end; slot++) {
+        const body *b = &at->bodies[slot];
+        for (uint32_t i = b->first; i < b->first + b->count; i++)
+            add_particle(at, b, i, f);
+    }
+}
+
+/* A spring between two particles belongs to its particle a. */
+static bool is_owner(const force_frame *at, const spring_end *end, uint32_t particle) {
+    return at->springs->springs->a[end->spring] == particle;
+}
+
+static double energy(const double *p, const force_frame *at, size_t slot) {
+    (void)p;
+    const spring_index *index = at->springs;
+    const body *b = &at->bodies[slot];
+    double sum = 0;
+    for (uint32_t i = b->first; i < b->first + b->count; i++)
+        for (uint32_t e = index->start[i]; e < index->start[i + 1]; e++) {
+            const spring_end *end = &index->ends[e];
+            if (!is_owner(at, end, i))
+                continue;
+            double u[3],
+                stretch = reach_end(at, end, body_particle_key(b, i), i, u) - index->springs->rest[end->spring];
+            sum += 0.5 * index->springs->k[end->spring] * stretch * stretch;
+        }
+    return sum;
+}
+
+static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
+    (void)p;
+    const spring_index *index = at->springs;
+    const body *b = &at->bodies[slot];
+    for (uint32_t i = b->first; i < b->first + b->count; i++)
+        for (uint32_t e = index->start[i]; e < index->start[i + 1]; e++) {
+            const spring_end *end = &index->ends[e];
+            if (!is_owner(at, end, i))
+                continue;
+            stiff_spring *s = stiff_list_add(out);
+            reach_end(at, end, body_particle_key(b, i), i, s->direction);
+            s->k = index->springs->k[end->spring];
+            s->particle[0] = i;
+            s->weight[0] = 1;
+            s->count = 1;
+            if (end->other == SPRING_ANCHOR)
+                continue;
+            s->particle[1] = end->other;
+            s->weight[1] = -1;
+            s->count = 2;
+        }
+}
+
+const force_style force_springs = {
+    .name = "springs",
+    .summary = "the springs of filial, sticking and anchoring links",
+    .formula = "F on a = k (L - L0) u, u from a to b; E = k/2 (L - L0)^2",
+    .source = "Storck et al. 2014, links",
+    .example = "link filial ff k 2e-11N/m break 2um short 0.5 long 1.7",
+    .caps = FORCE_CONSERVATIVE | FORCE_BALANCED | FORCE_CENTRAL | FORCE_READS_SPRINGS,
+    .add = add,
+    .energy = energy,
+    .stiffness = stiffness,
+};

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The record of a force term: everything the program knows about it, in one place. The script's commands, help and
+ * manual, the generic tests and the evaluation all read these records.
+ *
+ * The owner computes: a term adds to the force of a body's particles everything that acts on them, in an order that
+ * depends on ids only, and writes nowhere else. Terms are pure: integrators evaluate them at states they later reject.
+ */
+#ifndef SARCINA_MECHANICS_FORCE_STYLE_H
+#define SARCINA_MECHANICS_FORCE_STYLE_H
+
+#include "base/diag.h"
+#include "base/param.h"
+#include "mechanics/body.h"
+#include "mechanics/force.h"
+#include "model/colony.h"
+#include "model/species.h"
+
+struct neighbor;
+struct spring_index;
+struct contact_kernel;
+
+/* A state to evaluate, read only. */
+typedef struct force_frame {
+    const body *bodies; /* (nbodies), by slot */
+    size_t nbodies;
+    const double *x, *v;                /* (nparticles x 3), um, um/s; v NULL where damping is left out */
+    const double *mass;                 /* (nparticles), pg */
+    const capsule *capsules;            /* (nbodies), of x; NULL without collision */
+    const struct neighbor *neighbor;    /* NULL without collision */
+    const struct spring_index *springs; /* NULL without springs */
+    const struct contact_kernel *kernel;
+    const force_set *forces;
+    uint64_t seed; /* of fallback directions */
+} force_frame;
+
+/* A linear spring as the stiffness of the system sees it: k (g . u)^2 / 2 with g = sum of weight x direction. */
+typedef struct stiff_spring {
+    uint32_t particle[4];
+    double weight[4];
+    double direction[3]; /* unit */
+    double k;            /* pg/s2 */
+    uint32_t count;      /* particles it touches */
+} stiff_spring;
+
+typedef struct stiff_list {
+    size_t count, capacity;
+    stiff_spring *list;
+} stiff_list;
+
+/* The next spring of the list, zeroed. */
+stiff_spring *stiff_list_add(stiff_list *list);
+
+/* What prepare may look at. */
+typedef struct force_scene {
+    const colony *colony;
+    const species_table *species;
+    const force_set *forces;
+} force_scene;
+
+enum {
+    FORCE_CONSERVATIVE = 1, /* F = -grad E */
+    FORCE_BALANCED = 2,     /* total force is 0 (springs to anchors apart) */
+    FORCE_CENTRAL = 4,      /* and total torque too */
+    FORCE_NEEDS_PAIRS = 8,  /* neighbour list and capsules */
+    FORCE_READS_VELOCITY = 16,
+    FORCE_READS_SPRINGS = 32
+};
+
+typedef struct force_style {
+    const char *name;    /* in scripts and messages */
+    const char *command; /* "force": of `force NAME ...`; a command of its own; NULL: on by what the scene holds */
+    const char *summary; /* one line */
+    const char *formula; /* law and energy */
+    const char *source;  /* where the law comes from */
+    const char *example; /* a script line */
+    const param *params; /* keywords, in the order of force_settings.p */
+    size_t nparams;
+    unsigned caps;
+    /* Is the scene consistent? Once a binding; optional. */
+    int (*prepare)(const double *p, const force_scene *scene, diag *d);
+    /* f (nparticles x 3) += force on the particles of bodies begin ... end - 1; required. */
+    void (*add)(const double *p, const force_frame *at, size_t begin, size_t end, double *f);
+    /* Energy of one body; of a pair: with the body of lower id. Required if conservative. */
+    double (*energy)(const double *p, const force_frame *at, size_t slot);
+    /* Linear drag, pg/s; then add is left out by integrators that damp exactly. Optional. */
+    double (*drag)(const double *p);
+    /* Appends the springs that act on one body at this state; of a pair: with the body of lower id. Optional. */
+    void (*stiffness)(const double *p, const force_frame *at, size_t slot, stiff_list *out);
+} force_style;
+
+/* The records, in the order of force_kind. */
+extern const force_style *const force_styles[FORCE_COUNT];
+
+/* The term called name; NULL. */
+const force_style *force_find(const char *name);
+
+/* Height of the substratum; only with the substratum on. */
+static inline double force_floor(const force_frame *at) {
+    return at->forces->term[FORCE_SUBSTRATUM].p[SUBSTRATUM_Z];
+}
+
+#endif

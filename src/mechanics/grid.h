@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A hierarchy of grids over capsules: one level for every factor 4 in size, so that a long body among small ones costs
+ * only its own search. A level's cells are rows along x (y and z are binned, x is sorted), so a search is a few
+ * contiguous stretches. Sorting by (level, z bin, y bin, x) is also the order in which bodies lie in memory. */
+#ifndef SARCINA_MECHANICS_GRID_H
+#define SARCINA_MECHANICS_GRID_H
+
+#include "mechanics/body.h"
+
+#include <stdbool.h>
+
+/* Centre of a capsule and the half sides of its box, grown by half of what a pair may be apart. */
+typedef struct grid_box {
+    double centre[3], half[3];
+} grid_box;
+
+/* Bodies begin ... end - 1 have these bins; their centres' x grow. */
+typedef struct grid_row {
+    int32_t level;
+    int64_t z, y;
+    uint32_t begin, end;
+} grid_row;
+
+enum { GRID_LEVELS_MAX = 64 };
+
+typedef struct grid {
+    grid_box *boxes; /* (n), by slot */
+    grid_row *rows;  /* (nrows), sorted */
+    size_t n, nrows;
+    double most[GRID_LEVELS_MAX][3]; /* largest half sides of each level */
+    int32_t levels[GRID_LEVELS_MAX]; /* the levels present */
+    int nlevels;
+} grid;
+
+/* Puts n capsules into the grid's order: order (n) gets their indices. */
+void grid_sort(const capsule *capsules, size_t n, uint32_t *order);
+
+/* Grid over capsules that stand in grid_sort's order, for pairs nearer than reach (r_A + r_B) + skin. */
+void grid_build(grid *g, const capsule *capsules, size_t n, double reach, double skin);
+void grid_free(grid *g);
+
+/* Slots whose boxes meet that of slot, itself left out; found is grown as needed. Returns how many. */
+size_t grid_search(const grid *g, size_t slot, uint32_t **found, size_t *capacity);
+
+#endif

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Contacts by the batch: many pairs at once through loops that the compiler turns into vector code. The same source is
+ * compiled once a vector width (kernels.cmake); the widest that the processor has is chosen when the program runs. All
+ * give the same bits: each lane does the IEEE operations of contact_compute, without contraction. */
+#ifndef SARCINA_MECHANICS_KERNEL_H
+#define SARCINA_MECHANICS_KERNEL_H
+
+#include "mechanics/contact.h"
+
+#include <stddef.h>
+
+enum { KERNEL_BATCH = 128 }; /* pairs at once: the arrays below stay in the first-level cache */
+
+/* Pairs as a structure of arrays: in, and out. A is the body of lower id. */
+typedef struct kernel_batch {
+    _Alignas(64) double r[3][KERNEL_BATCH]; /* A0 - B0, um */
+    double d1[3][KERNEL_BATCH], d2[3][KERNEL_BATCH];
+    double radii[KERNEL_BATCH]; /* r_A + r_B */
+    double rests[KERNEL_BATCH]; /* L_A L_B */
+    double s[KERNEL_BATCH], t[KERNEL_BATCH];
+    double force[3][KERNEL_BATCH]; /* on A, 1e-21 N */
+    double square[KERNEL_BATCH];   /* squared distance, um2 */
+    double overlap[KERNEL_BATCH];
+} kernel_batch;
+
+typedef struct contact_kernel {
+    const char *name; /* "avx512", "avx2", "base" */
+    /* Contacts of the first n pairs. Returns how many touch with coincident axes: their force is left 0. */
+    size_t (*contact)(const contact_law_values *law, size_t n, kernel_batch *b);
+    /* The same for cocci only (d1 = d2 = 0, not read). */
+    size_t (*sphere)(const contact_law_values *law, size_t n, kernel_batch *b);
+} contact_kernel;
+
+/* The widest kernel of this processor; the one called name, NULL where the program or the processor lacks it. */
+const contact_kernel *kernel_best(void);
+const contact_kernel *kernel_find(const char *name);
+
+#endif

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The loops of the batched kernels, included by one small file a vector width. KERNEL_NAME is the width's suffix. */
+#include "mechanics/kernel.h"
+
+#define KERNEL_JOIN_(a, b) a##b
+#define KERNEL_JOIN(a, b) KERNEL_JOIN_(a, b)
+
+static inline void store(kernel_batch *b, size_t i, const contact_result *c) {
+    b->s[i] = c->s;
+    b->t[i] = c->t;
+    for (int k = 0; k < 3; k++)
+        b->force[k][i] = c->scale * c->delta[k];
+    b->square[i] = c->square;
+    b->overlap[i] = c->overlap;
+}
+
+static size_t count_coincident(size_t n, const kernel_batch *b) {
+    size_t coincident = 0;
+    for (size_t i = 0; i < n; i++)
+        coincident += b->square[i] < CONTACT_COINCIDENT * CONTACT_COINCIDENT && b->overlap[i] > 0;
+    return coincident;
+}
+
+static size_t contact(const contact_law_values *law, size_t n, kernel_batch *b) {
+    const contact_law_values l = *law;
+    for (size_t i = 0; i < n; i++) {
+        contact_pair p = {.r = {b->r[0][i], b->r[1][i], b->r[2][i]},
+                          .d1 = {b->d1[0][i], b->d1[1][i], b->d1[2][i]},
+                          .d2 = {b->d2[0][i], b->d2[1][i], b->d2[2][i]},
+                          .radii = b->radii[i],
+                          .rests = b->rests[i]};
+        contact_result c = contact_compute(l, p);
+        store(b, i, &c);
+    }
+    return count_coincident(n, b);
+}
+
+static size_t sphere(const contact_law_values *law, size_t n, kernel_batch *b) {
+    const contact_law_values l = *law;
+    for (size_t i = 0; i < n; i++) {
+        contact_pair p = {.r = {b->r[0][i], b->r[1][i], b->r[2][i]}, .radii = b->radii[i]};
+        contact_result c = contact_compute(l, p);
+        store(b, i, &c);
+    }
+    return count_coincident(n, b);
+}
+
+extern const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME);
+#define KERNEL_TEXT_(a) #a
+#define KERNEL_TEXT(a) KERNEL_TEXT_(a)
+const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME) = {KERNEL_TEXT(KERNEL_NAME), contact, sphere};

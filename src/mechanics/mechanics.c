@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Binding to a colony: which terms act, and the bodies, masses and indices they read. */
+#include "mechanics/mechanics.h"
+
+#include "base/alloc.h"
+#include "mechanics/state.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+mechanics *mechanics_create(void) {
+    mechanics *m = alloc_zeroed(1, sizeof *m);
+    m->kernel = kernel_best();
+    return m;
+}
+
+void mechanics_free(mechanics *m) {
+    if (!m)
+        return;
+    free(m->image.bytes);
+    free(m->next_image.bytes);
+    free(m->bodies);
+    free(m->spare);
+    free(m->by_id);
+    free(m->owner);
+    free(m->order);
+    free(m->mass);
+    free(m->radius);
+    spring_index_free(&m->springs);
+    free(m->capsules);
+    free(m->built_at);
+    neighbor_free(&m->neighbor);
+    free(m->scratch);
+    free(m->stiff.list);
+    free(m);
+}
+
+int mechanics_check(const mechanics_input *in, diag *d) {
+    const force_scene scene = {in->colony, in->species, in->forces};
+    /* a rod without its spring is found by the term that is off for want of it */
+    for (int i = 0; i < FORCE_COUNT; i++) {
+        const force_style *style = force_styles[i];
+        if (!style->prepare || (i != FORCE_INTERNAL && !in->forces->term[i].on))
+            continue;
+        int status = style->prepare(in->forces->term[i].p, &scene, d);
+        if (status)
+            return status;
+    }
+    return SARCINA_OK;
+}
+
+static void image_add(state_image *image, const void *data, size_t bytes) {
+    if (!bytes)
+        return;
+    image->bytes = alloc_grow(image->bytes, &image->capacity, image->count + bytes, 1);
+    memcpy(image->bytes + image->count, data, bytes);
+    image->count += bytes;
+}
+
+/* Everything a binding depends on, but for x and v. */
+static void take_image(state_image *image, const mechanics_input *in) {
+    const colony *c = in->colony;
+    image->count = 0;
+    image_add(image, &in->colony, sizeof in->colony);
+    image_add(image, &c->version, sizeof c->version);
+    image_add(image, &in->seed, sizeof in->seed);
+    image_add(image, &in->neighbor.skin, sizeof in->neighbor.skin);
+    image_add(image, &in->neighbor.method, sizeof in->neighbor.method);
+    for (int i = 0; i < FORCE_COUNT; i++) {
+        image_add(image, &in->forces->term[i].on, sizeof in->forces->term[i].on);
+        image_add(image, in->forces->term[i].p, sizeof in->forces->term[i].p);
+    }
+    for (size_t i = 0; i < in->species->count; i++) {
+        image_add(image, &in->species->list[i].internal_k, sizeof(double));
+        image_add(image, &in->species->list[i].density, sizeof(double));
+    }
+    image_add(image, c->cell.species, c->cell.count * sizeof *c->cell.species);
+    image_add(image, c->cell.mass, c->cell.count * sizeof *c->cell.mass);
+    image_add(image, c->cell.diameter, c->cell.count * sizeof *c->cell.diameter);
+    image_add(image, c->cell.rest, c->cell.count * sizeof *c->cell.rest);
+    image_add(image, c->spring.a, c->spring.count * sizeof *c->spring.a);
+    image_add(image, c->spring.b, c->spring.count * sizeof *c->spring.b);
+    image_add(image, c->spring.k, c->spring.count * sizeof *c->spring.k);
+    image_add(image, c->spring.rest, c->spring.count * sizeof *c->spring.rest);
+    image_add(image, c->spring.anchor, c->spring.count * 3 * sizeof *c->spring.anchor);
+    image_add(image, c->spring.glides, c->spring.count * sizeof *c->spring.glides);
+}
+
+/* Whether the scene is as it was bound; in any case its image is the present one afterwards. */
+static bool is_unchanged(mechanics *m, const mechanics_input *in) {
+    take_image(&m->next_image, in);
+    bool same = m->bound && m->image.count == m->next_image.count &&
+                memcmp(m->image.bytes, m->next_image.bytes, m->image.count) == 0;
+    state_image swap = m->image;
+    m->image = m->next_image;
+    m->next_image = swap;
+    return same;
+}
+
+static void reserve(mechanics *m) {
+    if (m->nbodies > m->body_capacity) {
+        m->body_capacity = m->nbodies + m->nbodies / 2;
+        m->bodies = alloc_resize(m->bodies, m->body_capacity, sizeof *m->bodies);
+        m->spare = alloc_resize(m->spare, m->body_capacity, sizeof *m->spare);
+        m->by_id = alloc_resize(m->by_id, m->body_capacity, sizeof *m->by_id);
+    }
+    if (m->nparticles > m->particle_capacity) {
+        m->particle_capacity = m->nparticles + m->nparticles / 2;
+        m->owner = alloc_resize(m->owner, m->particle_capacity, sizeof *m->owner);
+        m->order = alloc_resize(m->order, m->particle_capacity, sizeof *m->order);
+        m->mass = alloc_resize(m->mass, m->particle_capacity, sizeof *m->mass);
+        m->radius = alloc_resize(m->radius, m->particle_capacity, sizeof *m->radius);
+        m->scratch = alloc_resize(m->scratch, 3 * m->particle_capacity, sizeof *m->scratch);
+    }
+}
+
+/* Bodies in the order of ids; masses and radii of their particles. */
+static void bind_bodies(mechanics *m) {
+    colony *c = m->colony;
+    const uint32_t *by_id = colony_by_id(c);
+    m->ordered = true;
+    size_t filled = 0;
+    for (uint32_t rank = 0; rank < m->nbodies; rank++) {
+        uint32_t row = by_id[rank];
+        const species *s = &m->species->list[c->cell.species[row]];
+        m->bodies[rank] = (body){c->cell.id[row],         row,           c->cell.first[row],
+                                 c->cell.nparticles[row], rank,          0.5 * c->cell.diameter[row],
+                                 c->cell.rest[row],       s->internal_k, s->density};
+        for (uint32_t i = 0; i < c->cell.nparticles[row]; i++) {
+            uint32_t p = c->cell.first[row] + i;
+            m->ordered = m->ordered && p == filled;
+            m->order[filled++] = p;
+            m->mass[p] = body_share(c->cell.nparticles[row], i) * c->cell.mass[row];
+            m->radius[p] = 0.5 * c->cell.diameter[row];
+        }
+    }
+}
+
+void state_index(mechanics *m) {
+    for (uint32_t slot = 0; slot < m->nbodies; slot++) {
+        const body *b = &m->bodies[slot];
+        m->by_id[b->rank] = slot;
+        for (uint32_t i = 0; i < b->count; i++)
+            m->owner[b->first + i] = slot;
+    }
+}
+
+/* Smallest, mean and largest numbers decide the skin: a third of the mean diameter. */
+static double choose_skin(const mechanics *m) {
+    if (m->settings.skin >= 0)
+        return m->settings.skin;
+    double sum = 0;
+    for (size_t rank = 0; rank < m->nbodies; rank++)
+        sum += 2 * m->bodies[m->by_id[rank]].radius;
+    return m->nbodies ? 0.4 * sum / (double)m->nbodies : 0;
+}
+
+static void bind(mechanics *m, const mechanics_input *in) {
+    m->colony = in->colony;
+    m->species = in->species;
+    m->forces = *in->forces;
+    m->settings = in->neighbor;
+    m->seed = in->seed;
+    m->nbodies = in->colony->cell.count;
+    m->nparticles = in->colony->particle.count;
+    reserve(m);
+    bind_bodies(m);
+    state_index(m);
+
+    /* rods' own springs act where their species has one, links' where there are any */
+    m->forces.term[FORCE_INTERNAL].on = false;
+    for (size_t i = 0; i < m->nbodies; i++)
+        if (m->bodies[i].count > 1 && m->bodies[i].internal_k > 0)
+            m->forces.term[FORCE_INTERNAL].on = true;
+    m->forces.term[FORCE_SPRINGS].on = in->colony->spring.count > 0;
+    if (m->forces.term[FORCE_SPRINGS].on)
+        spring_index_build(&m->springs, in->colony, m->owner, m->bodies);
+
+    /* the regularised law reaches a little further than the axes' distance says */
+    const force_settings *collision = &m->forces.term[FORCE_COLLISION];
+    bool regularised = (contact_law)collision->p[COLLISION_CONTACT] == CONTACT_REGULARISED;
+    m->wants_pairs = collision->on;
+    m->reach = collision->on ? collision->p[COLLISION_REACH] : 1;
+    if (collision->on && regularised)
+        m->reach *= sqrt(1 + 0.25 * collision->p[COLLISION_EPSILON]);
+    m->skin = choose_skin(m);
+    m->listed = false;
+}
+
+int mechanics_prepare(mechanics *m, const mechanics_input *in, diag *d) {
+    int status = in->lenient ? SARCINA_OK : mechanics_check(in, d);
+    if (status) {
+        m->bound = false;
+        return status;
+    }
+    m->threads = in->threads > 0 ? in->threads : 1;
+    if (!is_unchanged(m, in))
+        bind(m, in);
+    m->bound = true;
+    return SARCINA_OK;
+}
+
+double mechanics_drag(const mechanics *m) {
+    const force_settings *damping = &m->forces.term[FORCE_DAMPING];
+    return damping->on ? force_styles[FORCE_DAMPING]->drag(damping->p) : 0;
+}
+
+const double *mechanics_mass(const mechanics *m) {
+    return m->mass;
+}
+
+const double *mechanics_radius(const mechanics *m) {
+    return m->radius;
+}
+
+size_t mechanics_particles(const mechanics *m) {
+    return m->nparticles;
+}
+
+void mechanics_state(const mechanics *m, double **x, double **v) {
+    *x = m->colony->particle.x;
+    *v = m->colony->particle.v;
+}
+
+const uint32_t *mechanics_order(const mechanics *m) {
+    return m->ordered ? NULL : m->order;
+}
+
+bool mechanics_kernel(mechanics *m, const char *name) {
+    const contact_kernel *kernel = kernel_find(name);
+    if (kernel)
+        m->kernel = kernel;
+    return kernel != NULL;
+}
+
+mechanics_stats mechanics_statistics(const mechanics *m) {
+    mechanics_stats stats = m->stats;
+    stats.pairs = m->listed ? neighbor_entries(&m->neighbor) : 0;
+    stats.skin = m->skin;
+    stats.kernel = m->kernel->name;
+    stats.bytes = sizeof *m + m->image.capacity + m->next_image.capacity +
+                  m->body_capacity * (2 * sizeof *m->bodies + sizeof *m->by_id) +
+                  m->particle_capacity * (2 * sizeof(uint32_t) + 5 * sizeof(double)) +
+                  m->capsule_capacity * (sizeof *m->capsules + 6 * sizeof(double)) +
+                  m->neighbor.entries_capacity * sizeof(uint32_t) +
+                  m->neighbor.n_capacity * (sizeof(size_t) + 2 * sizeof(uint32_t)) +
+                  m->springs.ends_capacity * sizeof(spring_end) + m->springs.start_capacity * sizeof(uint32_t) +
+                  m->stiff.capacity * sizeof(stiff_spring);
+    return stats;
+}

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Which bodies may touch which: for each body a row of all its partners, in the order of their ids, so that its owner
+ * can sum what they do to it in an order that nothing else decides. A Verlet list with a skin, found by a hierarchy of
+ * grids; or, as the oracle, every other body. */
+#ifndef SARCINA_MECHANICS_NEIGHBOR_H
+#define SARCINA_MECHANICS_NEIGHBOR_H
+
+#include "mechanics/body.h"
+#include "mechanics/kernel.h"
+#include "mechanics/mechanics.h"
+
+/* A body's partners by slot: those of lower id, then those of higher. */
+typedef struct neighbor_row {
+    const uint32_t *lower, *upper;
+    size_t nlower, nupper;
+} neighbor_row;
+
+typedef struct neighbor {
+    neighbor_method method;
+    double skin; /* um */
+    size_t n;
+    uint32_t *entries; /* slots (start[n]) */
+    size_t *start;     /* (n + 1) */
+    uint32_t *middle;  /* entries of lower id in a row (n) */
+    uint32_t *by_id;   /* slots in the order of ids (n): the rows of the all-pairs method */
+    size_t entries_capacity, n_capacity;
+} neighbor;
+
+void neighbor_free(neighbor *list);
+
+/* Puts n bodies into an order in which those near in space are near in memory: order (n) gets their indices. */
+void neighbor_sort(const capsule *capsules, size_t n, uint32_t *order);
+
+/* Builds the rows for all pairs whose segments are nearer than reach (r_A + r_B) + skin. The bodies must stand in the
+ * order that neighbor_sort gave for these capsules. */
+void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules, size_t n, double reach, int threads,
+                    const contact_kernel *kernel);
+
+/* Total entries of all rows. */
+size_t neighbor_entries(const neighbor *list);
+
+static inline neighbor_row neighbor_get(const neighbor *list, const body *bodies, size_t slot) {
+    if (list->method == NEIGHBOR_PAIRS) {
+        size_t rank = bodies[slot].rank;
+        return (neighbor_row){list->by_id, list->by_id + rank + 1, rank, list->n - rank - 1};
+    }
+    const uint32_t *row = list->entries + list->start[slot];
+    size_t count = list->start[slot + 1] - list->start[slot], middle = list->middle[slot];
+    return (neighbor_row){row, row + middle, middle, count - middle};
+}
+
+#endif

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the files of the mechanics share: the binding to a colony. Private to this folder. */
+#ifndef SARCINA_MECHANICS_STATE_H
+#define SARCINA_MECHANICS_STATE_H
+
+#include "mechanics/force_style.h"
+#include "mechanics/kernel.h"
+#include "mechanics/mechanics.h"
+#include "mechanics/neighbor.h"
+#include "mechanics/spring.h"
+
+/* Bytes that say what the binding was made from; equal images need no new binding. */
+typedef struct state_image {
+    unsigned char *bytes;
+    size_t count, capacity;
+} state_image;
+
+struct mechanics {
+    /* computed by mechanics_prepare */
+    colony *colony;
+    const species_table *species;
+    force_set forces; /* a copy: parameters cannot change under a binding */
+    neighbor_settings settings;
+    uint64_t seed;
+    int threads; /* as asked */
+    bool bound;
+    state_image image, next_image;
+    size_t nbodies, nparticles;
+    body *bodies, *spare;  /* (nbodies), by slot */
+    uint32_t *by_id;       /* slots in the order of ids (nbodies) */
+    uint32_t *owner;       /* slot of each particle (nparticles) */
+    uint32_t *order;       /* particle rows in the order of ids (nparticles) */
+    bool ordered;          /* rows stand in that order */
+    double *mass, *radius; /* (nparticles) */
+    spring_index springs;
+    double reach;     /* pairs within reach (r_A + r_B) may touch */
+    double skin;      /* um */
+    bool wants_pairs; /* a term reads the neighbour list */
+
+    /* computed by evaluations */
+    capsule *capsules; /* (nbodies), by slot */
+    double *built_at;  /* (nbodies x 6) both ends when the list was built, by slot */
+    neighbor neighbor;
+    bool listed; /* the list holds for built_at */
+    const contact_kernel *kernel;
+    double *scratch; /* (nparticles x 3) */
+    stiff_list stiff;
+    size_t body_capacity, particle_capacity, capsule_capacity;
+    mechanics_stats stats;
+};
+
+enum { STATE_CHUNK = 128 }; /* bodies that a thread takes at once, all terms one after another */
+
+/* Makes capsules and, where needed, the list hold at x; false when x is not finite. */
+bool state_refresh(mechanics *m, const double *x);
+
+/* The same for the pairs of a measure, whether or not a term needs them. */
+bool state_refresh_pairs(mechanics *m, const double *x);
+
+force_frame state_frame(const mechanics *m, const double *x, const double *v);
+
+/* Threads worth starting for this many bodies. */
+int state_threads(const mechanics *m);
+
+/* Sets the slots' inverse maps after bodies have been put in another order. */
+void state_index(mechanics *m);
+
+#endif

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The stiffest mode: the largest eigenvalue of M^-1 K, K the sum of k g g' over the springs that act at a state, by
+ * power iteration on the symmetric M^-1/2 K M^-1/2. Only bare spring constants enter, not the geometric part of the
+ * Hessian, whose bounded modes explicit steps need not resolve. */
+#include "mechanics/state.h"
+
+#include "base/alloc.h"
+#include "base/rng.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ITERATIONS_FRESH = 60, ITERATIONS_AGAIN = 6 };
+static const double tolerance = 0.01;
+
+/* The springs of all active terms, weights divided by the root of the particle's mass; in the order of ids. */
+static void collect(mechanics *m, const double *x) {
+    const force_frame at = state_frame(m, x, NULL);
+    m->stiff.count = 0;
+    for (size_t rank = 0; rank < m->nbodies; rank++)
+        for (int i = 0; i < FORCE_COUNT; i++)
+            if (m->forces.term[i].on && force_styles[i]->stiffness)
+                force_styles[i]->stiffness(m->forces.term[i].p, &at, m->by_id[rank], &m->stiff);
+    for (size_t i = 0; i < m->stiff.count; i++)
+        for (uint32_t j = 0; j < m->stiff.list[i].count; j++)
+            m->stiff.list[i].weight[j] /= sqrt(m->mass[m->stiff.list[i].particle[j]]);
+}
+
+/* out = M^-1/2 K M^-1/2 mode */
+static void apply(const mechanics *m, const double *mode, double *out) {
+    memset(out, 0, 3 * m->nparticles * sizeof *out);
+    for (size_t i = 0; i < m->stiff.count; i++) {
+        const stiff_spring *s = &m->stiff.list[i];
+        double along = 0;
+        for (uint32_t j = 0; j < s->count; j++) {
+            const double *y = mode + 3 * (size_t)s->particle[j];
+            along += s->weight[j] * (s->direction[0] * y[0] + s->direction[1] * y[1] + s->direction[2] * y[2]);
+        }
+        for (uint32_t j = 0; j < s->count; j++)
+            for (size_t k = 0; k < 3; k++)
+                out[3 * (size_t)s->particle[j] + k] += s->k * along * s->weight[j] * s->direction[k];
+    }
+}
+
+static double dot(const mechanics *m, const double *a, const double *b) {
+    double sum = 0;
+    for (size_t i = 0; i < m->nparticles; i++) {
+        size_t p = 3 * (size_t)m->order[i];
+        sum += a[p] * b[p] + a[p + 1] * b[p + 1] + a[p + 2] * b[p + 2];
+    }
+    return sum;
+}
+
+/* A start with a part in every mode, the same for the same cells. */
+static void start(const mechanics *m, double *mode) {
+    for (size_t slot = 0; slot < m->nbodies; slot++) {
+        const body *b = &m->bodies[slot];
+        for (uint32_t i = 0; i < b->count; i++)
+            rng_direction(0, body_particle_key(b, b->first + i), 0, mode + 3 * (size_t)(b->first + i));
+    }
+}
+
+double mechanics_stiffness_from(mechanics *m, const double *x, double *mode) {
+    if (!state_refresh(m, x))
+        return NAN;
+    collect(m, x);
+    if (m->stiff.count == 0)
+        return 0;
+    double square = dot(m, mode, mode), value = 0;
+    int most = square > 0 ? ITERATIONS_AGAIN : ITERATIONS_FRESH;
+    if (square == 0)
+        start(m, mode);
+    for (int i = 0; i < most; i++) {
+        apply(m, mode, m->scratch);
+        double before = value;
+        square = dot(m, mode, mode);
+        value = dot(m, mode, m->scratch) / square;
+        double norm = sqrt(dot(m, m->scratch, m->scratch));
+        if (!(norm > 0))
+            return 0;
+        for (size_t j = 0; j < 3 * m->nparticles; j++)
+            mode[j] = m->scratch[j] / norm;
+        if (fabs(value - before) <= tolerance * value)
+            break;
+    }
+    return value;
+}
+
+double mechanics_stiffness(mechanics *m, const double *x) {
+    double *mode = alloc_zeroed(3 * m->nparticles, sizeof *mode);
+    double value = mechanics_stiffness_from(m, x, mode);
+    free(mode);
+    return value;
+}

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The table of integrators. Each advances the state by one accepted step from the present time towards t1, never past
+ * it; when it fails, time and state are to the bit as before the call. */
+#ifndef SARCINA_RELAX_INTEGRATOR_H
+#define SARCINA_RELAX_INTEGRATOR_H
+
+#include "relax/motion.h"
+
+enum {
+    INTEGRATOR_ADAPTIVE = 1,     /* takes its step from an error estimate */
+    INTEGRATOR_EXACT_DAMPING = 2 /* damping is not in the force but solved exactly */
+};
+
+typedef struct integrator_style {
+    const char *name;    /* in scripts */
+    const char *summary; /* one line */
+    const char *source;  /* where it comes from */
+    int order;           /* the convergence test fits this slope */
+    unsigned caps;
+    double tolerance;   /* its own, where settings.tolerance is 0; adaptive only */
+    const void *method; /* for create, where several records share their functions */
+    /* A method for this motion; owned by the caller, freed by destroy. */
+    void *(*create)(const struct integrator_style *style, const relax_settings *how, const motion *mo);
+    /* One accepted step. */
+    int (*step)(void *self, motion *mo, double t1, diag *d);
+    /* Undamped forces (n x 3) at the present state where it has them, NULL where not; optional. */
+    const double *(*force)(const void *self);
+    /* Forgets its history: after division or a link change, and between segments. */
+    void (*reset)(void *self);
+    void (*destroy)(void *self);
+} integrator_style;
+
+/* The records, in the order of integrator_kind. */
+extern const integrator_style *const integrator_styles[INTEGRATOR_COUNT];
+
+/* Row of the integrator called name; -1. */
+int integrator_find(const char *name);
+
+/* One line a method: integrator/NAME.c */
+extern const integrator_style integrator_dopri5;
+extern const integrator_style integrator_bs32;
+extern const integrator_style integrator_verlet;
+extern const integrator_style integrator_euler;
+extern const integrator_style integrator_rk4;
+extern const integrator_style integrator_rkf45;
+extern const integrator_style integrator_rk8pd;
+
+#endif

@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Explicit Runge-Kutta pairs whose last stage is the next step's first: Dormand-Prince 5(4) and Bogacki-Shampine 3(2).
+ * Sources: Dormand & Prince 1980, J. Comput. Appl. Math. 6:19; Bogacki & Shampine 1989, Appl. Math. Lett. 2:321. */
+#include "relax/integrator.h"
+
+#include "base/alloc.h"
+#include "relax/control.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { STAGES_MAX = 7 };
+
+/* A pair: stage i starts from y + h sum_j a[i][j] k_j; the last row of a gives the new state; e its error. */
+typedef struct tableau {
+    int stages;
+    double a[STAGES_MAX][STAGES_MAX - 1];
+    double e[STAGES_MAX];
+} tableau;
+
+static const tableau dormand_prince = {
+    7,
+    {{0},
+     {1.0 / 5},
+     {3.0 / 40, 9.0 / 40},
+     {44.0 / 45, -56.0 / 15, 32.0 / 9},
+     {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+     {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+     {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}},
+    {71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40}};
+
+static const tableau bogacki_shampine = {
+    4, {{0}, {1.0 / 2}, {0, 3.0 / 4}, {2.0 / 9, 1.0 / 3, 4.0 / 9}}, {-5.0 / 72, 1.0 / 12, 1.0 / 9, -1.0 / 8}};
+
+typedef struct embedded {
+    const integrator_style *style;
+    const tableau *table;
+    double tolerance, most, fixed, h;
+    size_t n;                              /* 3 x particles */
+    bool started;                          /* h and the first stage hold */
+    double *v[STAGES_MAX], *a[STAGES_MAX]; /* derivatives of x and v at the stages (n each) */
+    double *trial;                         /* (4 n): x, v and their errors */
+    double *memory;
+} embedded;
+
+static void *create(const integrator_style *style, const relax_settings *how, const motion *mo) {
+    embedded *self = alloc_zeroed(1, sizeof *self);
+    self->style = style;
+    self->table = style->method;
+    self->tolerance = how->tolerance > 0 ? how->tolerance : style->tolerance;
+    self->most = how->most;
+    self->fixed = how->step;
+    self->n = 3 * mo->n;
+    self->memory = alloc_zeroed((2 * STAGES_MAX + 4) * self->n, sizeof *self->memory);
+    for (size_t i = 0; i < STAGES_MAX; i++) {
+        self->v[i] = self->memory + 2 * i * self->n;
+        self->a[i] = self->memory + (2 * i + 1) * self->n;
+    }
+    self->trial = self->memory + 2 * STAGES_MAX * self->n;
+    return self;
+}
+
+static void reset(void *of) {
+    embedded *self = of;
+    self->started = false;
+}
+
+static void destroy(void *of) {
+    embedded *self = of;
+    free(self->memory);
+    free(self);
+}
+
+/* out = base + h sum_j weight[j] k[j] over the first `count` stages; base NULL: 0. */
+static void combine(size_t n, const double *base, double h, const double *weight, double *const *k, int count,
+                    double *out) {
+    for (size_t i = 0; i < n; i++) {
+        double sum = 0;
+        for (int j = 0; j < count; j++)
+            sum += weight[j] * k[j][i];
+        out[i] = (base ? base[i] : 0) + h * sum;
+    }
+}
+
+static void start(embedded *self, motion *mo) {
+    memcpy(self->v[0], mo->v, self->n * sizeof(double));
+    motion_accelerate(mo, mo->x, mo->v, self->a[0]);
+    self->h = self->fixed > 0 ? self->fixed
+                              : control_first_step(mo, self->a[0], self->tolerance, self->style->order, self->trial);
+    self->started = true;
+}
+
+/* The stages after the first; the last is at the trial state. */
+static void compute_stages(embedded *self, motion *mo, double h) {
+    double *x = self->trial, *v = x + self->n;
+    for (int s = 1; s < self->table->stages; s++) {
+        combine(self->n, mo->x, h, self->table->a[s], self->v, s, x);
+        combine(self->n, mo->v, h, self->table->a[s], self->a, s, v);
+        memcpy(self->v[s], v, self->n * sizeof *v);
+        motion_accelerate(mo, x, v, self->a[s]);
+    }
+}
+
+/* Error of a trial of length h in tolerances; with a fixed step only whether it is finite. */
+static double judge(embedded *self, const motion *mo, double h) {
+    double *ex = self->trial + 2 * self->n, *ev = ex + self->n;
+    int stages = self->table->stages;
+    combine(self->n, NULL, h, self->table->e, self->v, stages, ex);
+    combine(self->n, NULL, h, self->table->e, self->a, stages, ev);
+    double error = motion_error(mo, ex, ev, self->tolerance);
+    return self->fixed > 0 && error < 1e30 ? 0.5 : error;
+}
+
+static void take(embedded *self, motion *mo, double h, bool last, double t1) {
+    int final = self->table->stages - 1;
+    motion_accept(mo, self->trial, self->trial + self->n, h, last, t1);
+    double *v = self->v[0], *a = self->a[0];
+    self->v[0] = self->v[final];
+    self->a[0] = self->a[final];
+    self->v[final] = v;
+    self->a[final] = a;
+}
+
+static int step(void *of, motion *mo, double t1, diag *d) {
+    embedded *self = of;
+    if (!self->started)
+        start(self, mo);
+    for (;;) {
+        bool last;
+        double h = control_cut(mo, self->h, self->most, t1, &last);
+        compute_stages(self, mo, h);
+        double error = judge(self, mo, h), factor = control_factor(error, self->style->order);
+        if (error < 1) {
+            take(self, mo, h, last, t1);
+            /* a step cut short at the end says nothing against the longer one */
+            double next = self->fixed > 0 ? self->fixed : h * factor;
+            self->h = last && next < self->h ? self->h : next;
+            return SARCINA_OK;
+        }
+        mo->rejected++;
+        self->h = h * factor;
+        if (self->h < CONTROL_LEAST_STEP)
+            return motion_fail(mo, motion_worst(mo, self->trial + 3 * self->n), CONTROL_LEAST_STEP, d);
+    }
+}
+
+#define EMBEDDED_FUNCTIONS .create = create, .step = step, .reset = reset, .destroy = destroy
+
+const integrator_style integrator_dopri5 = {
+    .name = "dopri5",
+    .summary = "Dormand-Prince 5(4), the paper's method",
+    .source = "Dormand & Prince 1980",
+    .order = 5,
+    .caps = INTEGRATOR_ADAPTIVE,
+    .tolerance = 0.1,
+    .method = &dormand_prince,
+    EMBEDDED_FUNCTIONS,
+};
+
+const integrator_style integrator_bs32 = {
+    .name = "bs32",
+    .summary = "Bogacki-Shampine 3(2)",
+    .source = "Bogacki & Shampine 1989",
+    .order = 3,
+    .caps = INTEGRATOR_ADAPTIVE,
+    .tolerance = 0.01,
+    .method = &bogacki_shampine,
+    EMBEDDED_FUNCTIONS,
+};

@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Splittings that solve the damping exactly and take their step from the present stiffness.
+ *
+ * Velocity Verlet: kick h/2, drift h/2, damp, drift h/2, kick h/2 (Leimkuhler & Matthews 2013, BAOAB without noise):
+ *     v += h/2 F/m;  x += h/2 v;  v *= exp(-k_d h/m);  x += h/2 v;  v += h/2 F/m
+ * Semi-implicit Euler: v = (v + h F/m) exp(-k_d h/m);  x += h v.
+ *
+ * A step is refused when it leaves a number that is not finite, or moves a particle by more than a quarter of its
+ * radius: springs that are not meant to be so are then crossed, not compressed. It is then halved. */
+#include "relax/integrator.h"
+
+#include "base/alloc.h"
+
+#include <math.h>
+#include <sleef.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Shortest step, s: 200,000 of them relax one second. */
+static const double least_step = 5e-6;
+
+/* Accepted steps between looks at the stiffness, and before a halved step is tried at twice its length. */
+enum { STEPS_BETWEEN_LOOKS = 50, STEPS_TO_RECOVER = 20 };
+
+typedef struct splitting {
+    double fixed, most;
+    size_t n; /* 3 x particles */
+    bool started;
+    double stable;  /* from the stiffness (or as told), s */
+    double shorter; /* 1, 1/2, 1/4 ... after refusals */
+    double h;       /* the step: divides the time left evenly */
+    uint64_t left;  /* steps left of it */
+    int since_look, since_refusal;
+    double damped_for; /* the step that decay holds for */
+    double *decay;     /* exp(-k_d h/m) (n / 3) */
+    double *force, *trial_force, *x, *v, *mode, *memory;
+} splitting;
+
+static void *create(const integrator_style *style, const relax_settings *how, const motion *mo) {
+    (void)style;
+    splitting *self = alloc_zeroed(1, sizeof *self);
+    self->fixed = how->step;
+    self->most = how->most;
+    self->n = 3 * mo->n;
+    self->memory = alloc_zeroed(6 * self->n, sizeof *self->memory);
+    self->force = self->memory;
+    self->trial_force = self->force + self->n;
+    self->x = self->trial_force + self->n;
+    self->v = self->x + self->n;
+    self->mode = self->v + self->n;
+    self->decay = self->mode + self->n;
+    self->shorter = 1;
+    return self;
+}
+
+static void reset(void *of) {
+    splitting *self = of;
+    self->started = false;
+}
+
+static void destroy(void *of) {
+    splitting *self = of;
+    free(self->memory);
+    free(self);
+}
+
+static const double *force(const void *of) {
+    const splitting *self = of;
+    return self->started ? self->force : NULL;
+}
+
+/* Even steps to t1, none longer than the stable one. */
+static void plan(splitting *self, const motion *mo, double t1) {
+    double wanted = self->stable * self->shorter, left = t1 - mo->time;
+    self->left = wanted < left ? (uint64_t)ceil(left / wanted * (1 - 1e-12)) : 1;
+    self->h = left / (double)self->left;
+}
+
+static void look(splitting *self, motion *mo, double t1) {
+    self->since_look = 0;
+    self->stable = self->fixed;
+    if (self->fixed <= 0) {
+        self->stable = motion_stable_step(mechanics_stiffness_from(mo->m, mo->x, self->mode));
+        if (self->most > 0 && !(self->stable < self->most))
+            self->stable = self->most;
+    }
+    if (!isfinite(self->stable))
+        self->stable = t1 - mo->time;
+    plan(self, mo, t1);
+}
+
+/* decay = exp(-k_d h/m) */
+static void prepare_decay(splitting *self, const motion *mo) {
+    if (self->damped_for == self->h)
+        return;
+    const double *mass = mechanics_mass(mo->m);
+    double drag = mechanics_drag(mo->m);
+    for (size_t p = 0; p < mo->n; p++)
+        self->decay[p] = Sleef_cinz_expd1_u10purec(-drag * self->h / mass[p]);
+    self->damped_for = self->h;
+}
+
+/* Is the trial state finite, with no particle moved by more than a quarter of its radius? */
+static bool is_sane(const splitting *self, const motion *mo) {
+    const double *radius = mechanics_radius(mo->m);
+    bool sane = true;
+    for (size_t p = 0; p < mo->n; p++) {
+        double d[3], limit = 0.25 * radius[p];
+        for (size_t k = 0; k < 3; k++)
+            d[k] = self->x[3 * p + k] - mo->x[3 * p + k];
+        sane = sane && d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= limit * limit;
+    }
+    return sane;
+}
+
+static bool has_finite_force(const splitting *self) {
+    bool finite = true;
+    for (size_t i = 0; i < self->n; i++)
+        finite = finite && isfinite(self->trial_force[i]) && isfinite(self->v[i]);
+    return finite;
+}
+
+/* One trial of velocity Verlet; false: refused. */
+static bool try_verlet(splitting *self, motion *mo) {
+    const double *mass = mechanics_mass(mo->m), half = 0.5 * self->h;
+    for (size_t p = 0; p < mo->n; p++)
+        for (size_t i = 3 * p; i < 3 * p + 3; i++) {
+            double kicked = mo->v[i] + half * self->force[i] / mass[p], damped = kicked * self->decay[p];
+            self->x[i] = mo->x[i] + half * kicked + half * damped;
+            self->v[i] = damped;
+        }
+    if (!is_sane(self, mo))
+        return false;
+    motion_force(mo, self->x, self->trial_force);
+    for (size_t p = 0; p < mo->n; p++)
+        for (size_t i = 3 * p; i < 3 * p + 3; i++)
+            self->v[i] += half * self->trial_force[i] / mass[p];
+    return has_finite_force(self);
+}
+
+/* One trial of semi-implicit Euler; false: refused. */
+static bool try_euler(splitting *self, motion *mo) {
+    const double *mass = mechanics_mass(mo->m);
+    for (size_t p = 0; p < mo->n; p++)
+        for (size_t i = 3 * p; i < 3 * p + 3; i++) {
+            self->v[i] = (mo->v[i] + self->h * self->force[i] / mass[p]) * self->decay[p];
+            self->x[i] = mo->x[i] + self->h * self->v[i];
+        }
+    if (!is_sane(self, mo))
+        return false;
+    motion_force(mo, self->x, self->trial_force);
+    return has_finite_force(self);
+}
+
+static void accept(splitting *self, motion *mo, double t1) {
+    motion_accept(mo, self->x, self->v, self->h, self->left == 1, t1);
+    double *swap = self->force;
+    self->force = self->trial_force;
+    self->trial_force = swap;
+    self->left--;
+    self->since_look++;
+    self->since_refusal++;
+    if (self->shorter < 1 && self->since_refusal >= STEPS_TO_RECOVER) {
+        self->shorter *= 2;
+        self->since_refusal = 0;
+        self->left = 0; /* plan anew */
+    }
+}
+
+static void begin(splitting *self, motion *mo, double t1) {
+    if (!self->started) {
+        motion_force(mo, mo->x, self->force);
+        memset(self->mode, 0, self->n * sizeof *self->mode);
+        self->shorter = 1;
+        look(self, mo, t1);
+        self->started = true;
+    } else if (self->fixed <= 0 && self->since_look >= STEPS_BETWEEN_LOOKS) {
+        look(self, mo, t1);
+    } else if (self->left == 0) {
+        plan(self, mo, t1);
+    }
+}
+
+static int step(splitting *self, motion *mo, double t1, bool (*attempt)(splitting *, motion *), diag *d) {
+    begin(self, mo, t1);
+    for (;;) {
+        bool possible = self->fixed > 0 || self->h >= least_step || self->left == 1;
+        if (!possible || !isfinite(self->h))
+            return motion_fail(mo, motion_worst(mo, self->mode), least_step, d);
+        prepare_decay(self, mo);
+        if (attempt(self, mo)) {
+            accept(self, mo, t1);
+            return SARCINA_OK;
+        }
+        mo->rejected++;
+        self->shorter *= 0.5;
+        self->since_refusal = 0;
+        if (self->stable * self->shorter < least_step)
+            return motion_fail(mo, motion_worst(mo, self->force), least_step, d);
+        plan(self, mo, t1);
+    }
+}
+
+static int step_verlet(void *self, motion *mo, double t1, diag *d) {
+    return step(self, mo, t1, try_verlet, d);
+}
+
+static int step_euler(void *self, motion *mo, double t1, diag *d) {
+    return step(self, mo, t1, try_euler, d);
+}
+
+const integrator_style integrator_verlet = {
+    .name = "verlet",
+    .summary = "velocity Verlet with exact damping",
+    .source = "Leimkuhler & Matthews 2013, without noise",
+    .order = 2,
+    .caps = INTEGRATOR_EXACT_DAMPING,
+    .create = create,
+    .step = step_verlet,
+    .force = force,
+    .reset = reset,
+    .destroy = destroy,
+};
+
+const integrator_style integrator_euler = {
+    .name = "euler",
+    .summary = "semi-implicit Euler with exact damping",
+    .source = "symplectic Euler, damping split off",
+    .order = 1,
+    .caps = INTEGRATOR_EXACT_DAMPING,
+    .create = create,
+    .step = step_euler,
+    .force = force,
+    .reset = reset,
+    .destroy = destroy,
+};

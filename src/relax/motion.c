@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "relax/motion.h"
+
+#include "mechanics/force_style.h"
+
+#include <math.h>
+#include <string.h>
+
+void motion_accelerate(motion *mo, const double *x, const double *v, double *a) {
+    const double *mass = mechanics_mass(mo->m);
+    mechanics_force(mo->m, x, v, a);
+    mo->evaluations++;
+    for (size_t p = 0; p < mo->n; p++)
+        for (size_t k = 0; k < 3; k++)
+            a[3 * p + k] /= mass[p];
+}
+
+void motion_force(motion *mo, const double *x, double *f) {
+    mechanics_force_undamped(mo->m, x, f);
+    mo->evaluations++;
+}
+
+void motion_accept(motion *mo, const double *x, const double *v, double h, bool last, double t1) {
+    memcpy(mo->x, x, 3 * mo->n * sizeof *x);
+    memcpy(mo->v, v, 3 * mo->n * sizeof *v);
+    mo->time = last ? t1 : mo->time + h;
+    mo->steps++;
+    if (mo->steps == 1 || h < mo->least_step)
+        mo->least_step = h;
+    if (h > mo->largest_step)
+        mo->largest_step = h;
+}
+
+double motion_error(const motion *mo, const double *ex, const double *ev, double tolerance) {
+    double sum = 0;
+    for (size_t i = 0; i < mo->n; i++) {
+        size_t p = 3 * (mo->order ? mo->order[i] : i);
+        for (size_t k = 0; k < 3; k++) {
+            double x = ex[p + k] / tolerance, v = ev[p + k] / tolerance;
+            sum += x * x + v * v;
+        }
+    }
+    return mo->n ? sqrt(sum / (6 * (double)mo->n)) : 0;
+}
+
+bool motion_is_finite(const motion *mo, const double *x, const double *v) {
+    bool finite = true;
+    for (size_t i = 0; i < 3 * mo->n; i++)
+        finite = finite && isfinite(x[i]) && isfinite(v[i]);
+    return finite;
+}
+
+size_t motion_worst(const motion *mo, const double *values) {
+    size_t worst = 0;
+    double most = -1;
+    for (size_t i = 0; i < mo->n; i++) {
+        size_t p = mo->order ? mo->order[i] : i;
+        const double *a = values + 3 * p;
+        double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+        if (isfinite(square) && square <= most)
+            continue;
+        worst = p;
+        most = square;
+        if (!isfinite(square))
+            break;
+    }
+    return worst;
+}
+
+double motion_stable_step(double stiffness) {
+    return stiffness > 0 ? 1.4 / sqrt(stiffness) : (double)INFINITY;
+}
+
+int motion_fail(motion *mo, size_t particle, double least, diag *d) {
+    const mechanics_culprit c = mechanics_blame(mo->m, mo->x, particle);
+    const char *term = c.term < FORCE_COUNT ? force_styles[c.term]->name : "damping";
+    if (c.k > 0) {
+        double needs = motion_stable_step(c.k / c.mass);
+        diag_fail(d, SARCINA_NUMERICAL,
+                  "cell %llu: no step of %.2g us or more can be taken at %.6g s of relaxation: %s k %.3g N/m with mass "
+                  "%.3g kg needs steps below %.2g us",
+                  (unsigned long long)c.cell, least * 1e6, mo->time, term, c.k * 1e-15, c.mass * 1e-15, needs * 1e6);
+        return diag_help(d, "lower k, or raise the mass; the scene is as at the last accepted step");
+    }
+    diag_fail(
+        d, SARCINA_NUMERICAL,
+        "cell %llu: no step of %.2g us or more can be taken at %.6g s of relaxation: %s is the largest force on it",
+        (unsigned long long)c.cell, least * 1e6, mo->time, term);
+    return diag_help(d, "cells that coincide, or lie deep in each other, push each other apart without bound");
+}

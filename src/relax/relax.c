@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The driver: steps of the chosen integrator until the time is over, the forces are small, or somebody interrupts. */
+#include "relax/relax.h"
+
+#include "base/alloc.h"
+#include "relax/integrator.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Largest net force on a particle at the present state. */
+static double largest_force(motion *mo, const double *known, double *scratch) {
+    const double *f = known;
+    if (!f) {
+        motion_force(mo, mo->x, scratch);
+        f = scratch;
+    }
+    double most = 0;
+    for (size_t p = 0; p < mo->n; p++) {
+        double square = f[3 * p] * f[3 * p] + f[3 * p + 1] * f[3 * p + 1] + f[3 * p + 2] * f[3 * p + 2];
+        most = square > most ? square : most;
+    }
+    return sqrt(most);
+}
+
+/* End of the segment the time is in; a remainder of rounding belongs to the last. */
+static double segment_end(const motion *mo, double segment, double end) {
+    if (segment <= 0)
+        return end;
+    double next = segment * (floor(mo->time / segment * (1 + 1e-12)) + 1);
+    return next < end * (1 - 1e-9) ? next : end;
+}
+
+typedef struct run {
+    const integrator_style *style;
+    void *method;
+    motion mo;
+    const relax_settings *how;
+    const relax_goal *goal;
+    relax_result *result;
+    double *scratch; /* (n x 3), with a goal of force only */
+} run;
+
+/* Whether to stop before the next step, and why. */
+static bool is_over(run *r) {
+    if (r->goal->force > 0) {
+        const double *known = r->style->force ? r->style->force(r->method) : NULL;
+        r->result->fmax = largest_force(&r->mo, known, r->scratch);
+        r->result->stop = RELAX_FORCE;
+        if (r->result->fmax < r->goal->force)
+            return true;
+    }
+    r->result->stop = RELAX_INTERRUPTED;
+    if (r->goal->interrupt && *r->goal->interrupt)
+        return true;
+    r->result->stop = RELAX_TIME;
+    return r->mo.time >= r->goal->time;
+}
+
+static int advance(run *r, diag *d) {
+    double end = segment_end(&r->mo, r->how->segment, r->goal->time);
+    while (!is_over(r)) {
+        if (r->mo.time >= end) {
+            r->style->reset(r->method);
+            end = segment_end(&r->mo, r->how->segment, r->goal->time);
+        }
+        int status = r->style->step(r->method, &r->mo, end, d);
+        if (status)
+            return status;
+    }
+    return SARCINA_OK;
+}
+
+static void report(const motion *mo, relax_result *result) {
+    result->time = mo->time;
+    result->steps = mo->steps;
+    result->rejected = mo->rejected;
+    result->evaluations = mo->evaluations;
+    result->least_step = mo->least_step;
+    result->largest_step = mo->largest_step;
+}
+
+int relax_run(mechanics *m, const relax_settings *how, const relax_goal *goal, relax_result *result, diag *d) {
+    relax_result unused;
+    run r = {.style = integrator_styles[how->integrator],
+             .mo = {.m = m, .n = mechanics_particles(m), .order = mechanics_order(m)},
+             .how = how,
+             .goal = goal,
+             .result = result ? result : &unused};
+    *r.result = (relax_result){0};
+    mechanics_state(m, &r.mo.x, &r.mo.v);
+    if (r.mo.n == 0) {
+        r.result->time = goal->time;
+        return SARCINA_OK;
+    }
+    r.method = r.style->create(r.style, how, &r.mo);
+    r.scratch = goal->force > 0 ? alloc_zeroed(3 * r.mo.n, sizeof *r.scratch) : NULL;
+    int status = advance(&r, d);
+    report(&r.mo, r.result);
+    r.style->destroy(r.method);
+    free(r.scratch);
+    return status;
+}
