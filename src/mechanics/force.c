@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "mechanics/force_style.h"
+#include "mechanics/force.h"
 
 #include "base/alloc.h"
 #include "mechanics/force/forces.h"
@@ -19,7 +19,7 @@ const force_style *force_find(const char *name) {
     return NULL;
 }
 
-stiff_spring *stiff_list_add(stiff_list *list) {
+stiff_spring *force_spring_add(stiff_list *list) {
     list->list = alloc_grow(list->list, &list->capacity, list->count + 1, sizeof *list->list);
     stiff_spring *next = &list->list[list->count++];
     memset(next, 0, sizeof *next);

@@ -48,7 +48,7 @@ typedef struct stiff_list {
 } stiff_list;
 
 /* The next spring of the list, zeroed. */
-stiff_spring *stiff_list_add(stiff_list *list);
+stiff_spring *force_spring_add(stiff_list *list);
 
 /* What prepare may look at. */
 typedef struct force_scene {

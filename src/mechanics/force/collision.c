@@ -155,7 +155,7 @@ static void add_spring(const force_frame *at, size_t slot, uint32_t partner, con
                        stiff_list *out) {
     const body *pair[2] = {&at->bodies[slot], &at->bodies[partner]};
     const double place[2] = {c->s, c->t};
-    stiff_spring *spring = stiff_list_add(out);
+    stiff_spring *spring = force_spring_add(out);
     spring->k = k;
     double length = sqrt(c->square);
     for (int i = 0; i < 3; i++)

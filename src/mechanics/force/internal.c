@@ -41,7 +41,7 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
     const body *b = &at->bodies[slot];
     if (b->count != 2 || b->internal_k == 0)
         return;
-    stiff_spring *s = stiff_list_add(out);
+    stiff_spring *s = force_spring_add(out);
     *s = (stiff_spring){{b->first, b->first + 1}, {1, -1}, {0}, b->internal_k, 2};
     tension(at, b, s->direction);
 }

@@ -77,7 +77,7 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
             const spring_end *end = &index->ends[e];
             if (!is_owner(at, end, i))
                 continue;
-            stiff_spring *s = stiff_list_add(out);
+            stiff_spring *s = force_spring_add(out);
             reach_end(at, end, body_particle_key(b, i), i, s->direction);
             s->k = index->springs->k[end->spring];
             s->particle[0] = i;
