@@ -54,7 +54,10 @@ int mechanical_energy(const view *v, const bool *members, double *out, diag *d) 
     const colony *c = v->colony;
     double *field = out + 1;
     for (int i = 0; i < FIELDS; i++)
-        field[i] = 0;
+        field[i] = v->mechanics ? 0 : (double)NAN;
+    out[0] = NAN;
+    if (!v->mechanics)
+        return SARCINA_OK;
     field[INTERNAL] = mechanics_energy(v->mechanics, FORCE_INTERNAL, c->particle.x);
     field[COLLISION] = mechanics_energy(v->mechanics, FORCE_COLLISION, c->particle.x);
     field[SUBSTRATUM] = mechanics_energy(v->mechanics, FORCE_SUBSTRATUM, c->particle.x);
@@ -71,6 +74,6 @@ int mechanical_energy(const view *v, const bool *members, double *out, diag *d) 
 int mechanical_fmax(const view *v, const bool *members, double *out, diag *d) {
     if (members)
         return diag_error(d, "fmax belongs to the whole colony, not to a group");
-    out[0] = mechanics_fmax(v->mechanics);
+    out[0] = v->mechanics ? mechanics_fmax(v->mechanics) : (double)NAN;
     return SARCINA_OK;
 }

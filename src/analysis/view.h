@@ -14,7 +14,7 @@
 typedef struct view {
     colony *colony;
     const species_table *species;
-    mechanics *mechanics; /* bound to the colony as it stands */
+    mechanics *mechanics; /* bound to the colony as it stands; NULL: its parts do not fit, what they measure is NaN */
     uint64_t seed, step;  /* cycles done */
     double time, relaxed; /* sums of growth steps and of relaxation, s */
     double wall;          /* seconds of computing */

@@ -42,9 +42,8 @@ int scene_grow(scene *s, double dt, diag *d) {
 }
 
 int scene_relax(scene *s, double time, double force, relax_result *result, diag *d) {
-    view bound;
     double t = now();
-    int status = scene_view(s, &bound, d);
+    int status = scene_prepare(s, d);
     if (status)
         return status;
     snapshot *before = snapshot_take(s);

@@ -20,7 +20,7 @@ static void set_defaults(scene *s) {
     memset(&s->forces, 0, sizeof s->forces);
     memset(&s->last_relax, 0, sizeof s->last_relax);
     memset(&s->timing, 0, sizeof s->timing);
-    s->step = s->growth_steps = 0;
+    s->step = s->growth_steps = s->deletions = 0;
     s->time = s->relaxed = 0;
     rng_seed(s->rng, 1);
 }
@@ -55,25 +55,40 @@ void scene_clear(scene *s) {
     set_defaults(s);
 }
 
-static int prepare(scene *s, diag *d) {
-    const mechanics_input in = {s->colony,  &s->species, &s->forces, s->neighbor, rng_get_seed(s->rng),
-                                s->threads, false};
+int scene_prepare(scene *s, diag *d) {
+    const mechanics_input in = {.colony = s->colony,
+                                .species = &s->species,
+                                .forces = &s->forces,
+                                .neighbor = s->neighbor,
+                                .seed = rng_get_seed(s->rng),
+                                .threads = s->threads};
     return mechanics_prepare(s->mechanics, &in, d);
 }
 
-int scene_view(scene *s, view *out, diag *d) {
-    int status = prepare(s, d);
+/* What measures share is kept while the state they measured stands. */
+static void refresh_cache(scene *s) {
+    bool same = s->cached.version == s->colony->version && s->cached.relaxed == s->relaxed &&
+                memcmp(&s->cached.forces, &s->forces, sizeof s->forces) == 0;
+    if (same)
+        return;
     view_cache_reset(s->cache);
-    *out = (view){.colony = s->colony,
+    s->cached.version = s->colony->version;
+    s->cached.relaxed = s->relaxed;
+    s->cached.forces = s->forces;
+}
+
+view scene_view(scene *s) {
+    bool bound = scene_prepare(s, NULL) == SARCINA_OK;
+    refresh_cache(s);
+    return (view){.colony = s->colony,
                   .species = &s->species,
-                  .mechanics = s->mechanics,
+                  .mechanics = bound ? s->mechanics : NULL,
                   .seed = rng_get_seed(s->rng),
                   .step = s->step,
                   .time = s->time,
                   .relaxed = s->relaxed,
                   .wall = s->timing.total,
                   .cache = s->cache};
-    return status;
 }
 
 void scene_warn(scene *s, const char *format, ...) {

@@ -6,6 +6,7 @@
 #define SARCINA_ENGINE_SCENE_H
 
 #include "analysis/view.h"
+#include "analysis/view_cache.h"
 #include "base/diag.h"
 #include "base/rng.h"
 #include "mechanics/mechanics.h"
@@ -28,15 +29,20 @@ typedef struct scene {
     force_set forces;
     neighbor_settings neighbor;
     relax_settings relax;
-    int accuracy;  /* row in accuracy_presets */
-    int dimension; /* 3, or 2: z never changes */
+    int accuracy; /* row in accuracy_presets */
     int threads;
     rng *rng;
     uint64_t step;         /* cycles done */
     uint64_t growth_steps; /* grow calls done: the step of the random streams */
+    uint64_t deletions;    /* draws of delete_cells: the step of its random streams */
     double time, relaxed;  /* s */
     mechanics *mechanics;
-    struct view_cache *cache; /* of the views that scene_view makes */
+    struct view_cache *cache; /* of the views that scene_view makes, kept while the state below is the same */
+    struct {
+        uint64_t version;
+        double relaxed;
+        force_set forces;
+    } cached;
     scene_timing timing;
     relax_result last_relax;
     const volatile sig_atomic_t *interrupt;        /* set by a signal handler; NULL */
@@ -50,9 +56,11 @@ void scene_free(scene *s);
 /* Takes everything out; the clock, seed and settings are as at the beginning. Callbacks and threads stay. */
 void scene_clear(scene *s);
 
-/* Binds the mechanics to the scene as it stands (cheap when nothing changed) and shows it to measures. The view holds
- * until the scene changes or the next one is made. */
-int scene_view(scene *s, view *out, diag *d);
+/* Binds the mechanics to the scene as it stands (cheap when nothing changed): an error where its parts do not fit. */
+int scene_prepare(scene *s, diag *d);
+
+/* Shows the scene to measures. Where it cannot be prepared, its mechanics are NULL and what they measure is NaN. */
+view scene_view(scene *s);
 
 /* Grows every cell for dt and divides those that are due, as one step; in the order of their ids. */
 int scene_grow(scene *s, double dt, diag *d);

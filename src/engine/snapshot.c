@@ -10,7 +10,7 @@
 
 struct snapshot {
     colony *colony;
-    uint64_t step, growth_steps;
+    uint64_t step, growth_steps, deletions;
     double time, relaxed;
 };
 
@@ -20,6 +20,7 @@ snapshot *snapshot_take(const scene *s) {
     colony_copy(p->colony, s->colony);
     p->step = s->step;
     p->growth_steps = s->growth_steps;
+    p->deletions = s->deletions;
     p->time = s->time;
     p->relaxed = s->relaxed;
     return p;
@@ -36,6 +37,7 @@ void snapshot_restore(scene *s, const snapshot *p) {
     colony_copy(s->colony, p->colony);
     s->step = p->step;
     s->growth_steps = p->growth_steps;
+    s->deletions = p->deletions;
     s->time = p->time;
     s->relaxed = p->relaxed;
 }
@@ -49,18 +51,18 @@ static int save_column(void *self, const char *table, const char *column, void *
 
 /* Doubles as hexadecimal: text that reads back to the bit. */
 #define CLOCK_FORMAT                                                                                                   \
-    "step %" PRIu64 " growth_steps %" PRIu64 " time %a relaxed %a seed %" PRIu64 " next_cell %" PRIu64                 \
-    " next_link %" PRIu64 " particles %zu cells %zu links %zu springs %zu"
+    "step %" PRIu64 " growth_steps %" PRIu64 " deletions %" PRIu64 " time %a relaxed %a seed %" PRIu64                 \
+    " next_cell %" PRIu64 " next_link %" PRIu64 " particles %zu cells %zu links %zu springs %zu"
 #define CLOCK_SCAN                                                                                                     \
-    "step %" SCNu64 " growth_steps %" SCNu64 " time %la relaxed %la seed %" SCNu64 " next_cell %" SCNu64               \
-    " next_link %" SCNu64 " particles %zu cells %zu links %zu springs %zu"
-enum { CLOCK_ITEMS = 11 };
+    "step %" SCNu64 " growth_steps %" SCNu64 " deletions %" SCNu64 " time %la relaxed %la seed %" SCNu64               \
+    " next_cell %" SCNu64 " next_link %" SCNu64 " particles %zu cells %zu links %zu springs %zu"
+enum { CLOCK_ITEMS = 12 };
 
 void snapshot_save(scene *s, archive *a) {
     colony *c = s->colony;
-    char *clock =
-        alloc_format(CLOCK_FORMAT, s->step, s->growth_steps, s->time, s->relaxed, rng_get_seed(s->rng), c->next_cell_id,
-                     c->next_link_id, c->particle.count, c->cell.count, c->link.count, c->spring.count);
+    char *clock = alloc_format(CLOCK_FORMAT, s->step, s->growth_steps, s->deletions, s->time, s->relaxed,
+                               rng_get_seed(s->rng), c->next_cell_id, c->next_link_id, c->particle.count, c->cell.count,
+                               c->link.count, c->spring.count);
     archive_put(a, "clock", clock, strlen(clock));
     free(clock);
     colony_walk(c, save_column, a);
@@ -98,12 +100,12 @@ static bool is_consistent(const colony *c, size_t nspecies) {
 }
 
 int snapshot_load(scene *s, const archive *a, diag *d) {
-    uint64_t step, growth_steps, seed, next_cell, next_link;
+    uint64_t step, growth_steps, deletions, seed, next_cell, next_link;
     double time, relaxed;
     size_t particles, cells, links, springs;
     const char *clock = archive_get(a, "clock", NULL);
-    if (!clock || sscanf(clock, CLOCK_SCAN, &step, &growth_steps, &time, &relaxed, &seed, &next_cell, &next_link,
-                         &particles, &cells, &links, &springs) != CLOCK_ITEMS)
+    if (!clock || sscanf(clock, CLOCK_SCAN, &step, &growth_steps, &deletions, &time, &relaxed, &seed, &next_cell,
+                         &next_link, &particles, &cells, &links, &springs) != CLOCK_ITEMS)
         return diag_error(d, "the restart file has no state");
     colony *c = colony_create();
     colony_resize(c, particles, cells, links, springs);
@@ -117,6 +119,7 @@ int snapshot_load(scene *s, const archive *a, diag *d) {
     colony_free(c);
     s->step = step;
     s->growth_steps = growth_steps;
+    s->deletions = deletions;
     s->time = time;
     s->relaxed = relaxed;
     rng_seed(s->rng, seed);
