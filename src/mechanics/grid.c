@@ -96,11 +96,13 @@ void grid_build(grid *g, const capsule *capsules, size_t n, double reach, double
         g->boxes[i] = box_of(&capsules[i], reach, skin);
         place p = place_of(&capsules[i], i);
         note_size(g, p.level, &g->boxes[i]);
-        grid_row *last = g->nrows ? &g->rows[g->nrows - 1] : NULL;
-        if (!last || compare_bins(last->level, last->z, last->y, p.level, p.z, p.y) != 0)
-            g->rows[g->nrows++] = (grid_row){p.level, p.z, p.y, i, i + 1};
-        else
+        grid_row *next = &g->rows[g->nrows], *last = g->nrows ? next - 1 : next;
+        if (g->nrows && compare_bins(last->level, last->z, last->y, p.level, p.z, p.y) == 0) {
             last->end = i + 1;
+        } else {
+            *next = (grid_row){p.level, p.z, p.y, i, i + 1};
+            g->nrows++;
+        }
     }
 }
 

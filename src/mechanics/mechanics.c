@@ -62,7 +62,7 @@ static void image_add(state_image *image, const void *data, size_t bytes) {
 static void take_image(state_image *image, const mechanics_input *in) {
     const colony *c = in->colony;
     image->count = 0;
-    image_add(image, &in->colony, sizeof in->colony);
+    image_add(image, &in->colony, sizeof(void *));
     image_add(image, &c->version, sizeof c->version);
     image_add(image, &in->seed, sizeof in->seed);
     image_add(image, &in->neighbor.skin, sizeof in->neighbor.skin);

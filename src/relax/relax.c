@@ -43,7 +43,7 @@ typedef struct run {
 
 /* Whether to stop before the next step, and why. */
 static bool is_over(run *r) {
-    if (r->goal->force > 0) {
+    if (r->scratch) {
         const double *known = r->style->force ? r->style->force(r->method) : NULL;
         r->result->fmax = largest_force(&r->mo, known, r->scratch);
         r->result->stop = RELAX_FORCE;
