@@ -6,6 +6,7 @@
 #include "output/dump.h"
 
 #define DUMP_STYLES(X)                                                                                                 \
+    X(image)                                                                                                           \
     X(custom)                                                                                                          \
     X(csv)                                                                                                             \
     X(vtk)                                                                                                             \

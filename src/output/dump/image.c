@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/dump/styles.h"
+
+#include "output/image.h"
+
+#include "base/table.h"
+
+static const param params[] = {
+    {"size=800,600:size", "width and height in pixels"},
+    {"view=top:view", "top, side, front, iso, or two angles: from z, and about z from x"},
+    {"zoom=fit:number(0,)", "fit: everything is in the picture; a number magnifies that"},
+    {"scalebar=auto:length[0,)", "length of the scale bar; auto: a round length, 0: none"},
+    {"axes=no:flag", "arrows along x, y and z in a corner"},
+    {"springs=no:flag", "lines for the springs of links"},
+    {"map=viridis:word", "colours of numbers: viridis, plasma, magma, inferno, cividis, coolwarm, gray"},
+    {"range:range2", "the numbers at the ends of the map; otherwise the least and largest of the cells shown"},
+    {"background=white:color", "colour of what is not a cell"},
+};
+
+static int draw(const dump_frame *f, const char *path, diag *d) {
+    canvas *c;
+    int status = image_draw(f, f->options, &c, d);
+    if (!status)
+        status = canvas_write_png(c, path, d);
+    canvas_free(c);
+    return status;
+}
+
+const dump_style dump_image = {
+    .name = "image",
+    .summary = "a picture (PNG) of the cells as solid capsules and balls",
+    .details =
+        "COLOR is a colour (a name or \"#rrggbb\") or a value of each cell. Texts, generation, founder, parent, "
+        "id and cluster take colours that are easily told apart, species their own; other numbers go through the "
+        "map.",
+    .takes = DUMP_COLOR,
+    .params = params,
+    .nparams = TABLE_COUNT(params),
+#if !SARCINA_HAVE_IMAGE
+    .missing = "this build has no pictures: install libpng-dev and libembree-dev and build again",
+#endif
+    .draw = draw,
+};

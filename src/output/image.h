@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Pictures of the cells. */
+#ifndef SARCINA_OUTPUT_IMAGE_H
+#define SARCINA_OUTPUT_IMAGE_H
+
+#include "output/canvas.h"
+#include "output/dump.h"
+
+typedef struct image_options {
+    int width, height; /* pixels */
+    double theta, phi; /* where the eye is, rad (camera.h) */
+    double zoom;       /* 1: everything fits in */
+    double scalebar;   /* um; 0: none; negative: a round length that suits the picture */
+    bool springs;      /* lines for the springs of links, seen through the cells */
+    bool axes;         /* directions of x, y and z in a corner */
+    int map;           /* row of color_maps */
+    double low, high;  /* the ends of the map, SI; NaN: least and largest of the cells shown */
+    rgb background;    /* sRGB */
+    bool has_color;    /* all cells in this colour instead of by column 0 */
+    rgb color;         /* sRGB */
+    bool has_floor;    /* the substratum */
+    double floor_z;    /* um */
+} image_options;
+
+/* 800 x 600, from above, everything in, viridis, white, a scale bar; no floor. */
+image_options image_defaults(void);
+
+/* The picture of a frame; the caller frees it. Column 0 gives the colours: texts and the values generation, founder,
+ * parent, id and cluster from a palette (species: each its own colour), other numbers through the map; undefined is
+ * grey. */
+int image_draw(const dump_frame *f, const image_options *o, canvas **out, diag *d);
+
+#endif
