@@ -55,7 +55,7 @@ static void reserve(view_cache *cache, size_t cells) {
     view_cache_reset(cache);
 }
 
-/* A scene that cannot be prepared: nothing is known of its forces. */
+/* A scene that cannot be prepared, or whose positions are not finite: nothing is known of its forces. */
 static void fill_unknown(view_cache *cache, size_t n) {
     for (size_t i = 0; i < n; i++) {
         cache->overlap[i] = cache->force[3 * i] = cache->force[3 * i + 1] = cache->force[3 * i + 2] = NAN;
@@ -66,9 +66,9 @@ static void fill_unknown(view_cache *cache, size_t n) {
 view_contacts view_cache_contacts(const view *v) {
     view_cache *cache = v->cache;
     reserve(cache, v->colony->cell.count);
-    if (!cache->has_contacts && !v->mechanics)
+    if (!cache->has_contacts)
         fill_unknown(cache, v->colony->cell.count);
-    else if (!cache->has_contacts)
+    if (!cache->has_contacts && v->mechanics)
         mechanics_contacts(v->mechanics, cache->overlap, cache->contacts, cache->force);
     cache->has_contacts = true;
     return (view_contacts){cache->overlap, cache->contacts, cache->force};
