@@ -39,8 +39,10 @@ static void place_lights(renderer *r) {
     const camera *e = &r->s->eye;
     vec3 key = unit(vec3_add(vec3_axpy(vec3_scale(-0.55, e->right), 0.65, e->up), vec3_scale(1.0, e->toward)));
     vec3 side = unit(vec3_cross(key, e->up)), over = vec3_cross(side, key);
-    for (int i = 0; i < LIGHTS; i++)
-        r->light[i] = unit(vec3_axpy(vec3_axpy(key, 0.05 * (i % 3 - 1), side), 0.05 * (i / 3 - 1), over));
+    for (int i = 0; i < LIGHTS; i++) {
+        int column = i % 3 - 1, row = i / 3 - 1;
+        r->light[i] = unit(vec3_axpy(vec3_axpy(key, 0.05 * column, side), 0.05 * row, over));
+    }
     r->sky = unit(vec3_add(vec3_scale(0.5, e->up), e->toward));
 }
 
