@@ -91,11 +91,11 @@ static inline void packing_direction(packing *p, double u[3]) {
 
 typedef struct packing_recipe {
     size_t n;
-    double box[3];              /* sides; centred in x and y, from 0 up in z, um */
-    double rods;                /* fraction of rods, the rest cocci */
-    double shortest, longest;   /* rest lengths of rods */
-    double thinnest, thickest;  /* diameters */
-    double flatness;            /* axes' z is multiplied by this; 0: all flat */
+    double box[3];             /* sides; centred in x and y, from 0 up in z, um */
+    double rods;               /* fraction of rods, the rest cocci */
+    double shortest, longest;  /* rest lengths of rods */
+    double thinnest, thickest; /* diameters */
+    double flatness;           /* axes' z is multiplied by this; 0: all flat */
 } packing_recipe;
 
 /* n random cells; velocities are random too. */
@@ -127,8 +127,8 @@ static inline uint32_t packing_spring(packing *p, uint32_t cell_a, uint32_t i, u
                                       double rest) {
     colony *c = p->c;
     bool anchor = cell_b == SPRING_ANCHOR;
-    uint32_t link = colony_add_link(c, anchor ? LINK_ANCHOR : LINK_FILIAL, c->cell.id[cell_a],
-                                    anchor ? 0 : c->cell.id[cell_b], 1);
+    uint32_t link =
+        colony_add_link(c, anchor ? LINK_ANCHOR : LINK_FILIAL, c->cell.id[cell_a], anchor ? 0 : c->cell.id[cell_b], 1);
     uint32_t spring = c->link.first[link];
     c->spring.a[spring] = c->cell.first[cell_a] + i;
     c->spring.b[spring] = anchor ? SPRING_ANCHOR : c->cell.first[cell_b] + j;
