@@ -32,17 +32,12 @@
 #include "base/diag.h"
 #include "base/dim.h"
 #include "base/param.h"
-#include "base/spread.h"
-#include "engine/column.h"
-#include "engine/scene.h"
+#include "base/units.h"
+#include "script/args.h"
+#include "script/interp.h"
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdint.h>
-
-typedef struct interp interp;
-typedef struct args args;
-typedef struct expr expr;
 
 /* ---- the record of a form -------------------------------------------------------------------------------------- */
 
@@ -51,7 +46,8 @@ enum {
                              (interp_checking), but declare names and find every error it can */
     COMMAND_JOURNAL = 2,  /* its text belongs to what a restart file replays */
     COMMAND_DECLARES = 3, /* both: everything that defines or amends something by name */
-    COMMAND_UNSAFE = 4    /* refused under -safe */
+    COMMAND_UNSAFE = 4,   /* refused under -safe */
+    COMMAND_MEANT_TO_FAIL = 8 /* -check leaves out the commands it takes as text */
 };
 
 typedef struct command_form {
@@ -70,7 +66,9 @@ typedef struct command_form {
 
 /* ---- the list of all commands, made once by src/command/commands.c ---------------------------------------------- */
 
-typedef struct command_table command_table;
+/* u must outlive the table. */
+command_table *command_table_create(units *u);
+void command_table_free(command_table *t);
 
 /* Adds n forms. A record whose notation is wrong aborts: it is a mistake in the program. */
 void command_add(command_table *t, const command_form *forms, size_t n);
@@ -101,130 +99,5 @@ void command_add_class(command_table *t, const name_class *c);
 /* What the command layer keeps beside each scene (also beside that of a check). Called by interp_create and
  * interp_free. */
 void command_set_client(command_table *t, void *(*create)(interp *in), void (*free_client)(void *client));
-
-/* ---- checked arguments ------------------------------------------------------------------------------------------ */
-/* By the parameter's name as in its record. Numbers are in the engine's units (um, pg, s) after the check of dimension
- * and range. What was not given has its record's default; NaN, 0 or NULL without one. */
-
-bool args_given(const args *a, const char *name); /* stood in the command: an amending command changes only these */
-bool args_off(const args *a);                     /* `off` stood at @off */
-int args_style(const args *a);                    /* command_form.style */
-const char *args_head(const args *a);             /* the command's name, for messages */
-
-double args_number(const args *a, const char *name);
-bool args_percent(const args *a,
-                  const char *name); /* % kinds: args_number and args_spread are fractions of the whole */
-spread args_spread(const args *a, const char *name);
-long long args_int(const args *a, const char *name);
-bool args_flag(const args *a, const char *name);
-int args_choice(const args *a, const char *name);       /* 0, 1, ... in the record's order */
-const char *args_text(const args *a, const char *name); /* word, text, file, name, colour; NULL: off or not given */
-bool args_all(const args *a, const char *name);         /* class*: the word was * (args_row is -1 then) */
-int args_row(const args *a, const char *name);          /* row of a name in its class */
-
-size_t args_count(const args *a, const char *name); /* how many values a `...` argument got */
-const char *args_text_at(const args *a, const char *name, size_t i);
-expr *args_expr(const args *a, const char *name); /* belongs to a; expr_keep to hold it longer. NULL: not given */
-expr *args_expr_at(const args *a, const char *name, size_t i);
-const char *args_command(const args *a, const char *name); /* text for interp_execute; `everycmd`: args_every */
-
-void args_vector(const args *a, const char *name, double *out, size_t n); /* length3, size, range2 (SI), view angles */
-orient_kind args_orient(const args *a, const char *name, double axis[3]);
-
-typedef struct args_cycles_value {
-    bool is_time;
-    uint64_t cycles; /* when not is_time */
-    double time;     /* s */
-} args_cycles_value;
-args_cycles_value args_cycles(const args *a, const char *name);
-
-/* A relaxation: for time (force 0), or until the net force is below force, within time (infinite: no bound). */
-void args_relaxation(const args *a, const char *name, double *time, double *force);
-
-/* The i-th `every CYCLES "command" ...`; *commands (*n of them) belong to a, see command_text_keep. */
-typedef struct command_text command_text;
-size_t args_every_count(const args *a, const char *name);
-args_cycles_value args_every(const args *a, const char *name, size_t i, command_text *const **commands, size_t *n);
-
-/* A number of any dimension, in SI; plain: it came without a unit and takes the dimension of what it meets. */
-typedef struct quantity {
-    double si;
-    dim d;
-    bool plain;
-} quantity;
-quantity args_quantity(const args *a, const char *name);
-
-/* COLUMN and %FORMAT of a columnformat. */
-void args_column_format(const args *a, const char *name, const char **column, const char **format);
-
-/* Place of an argument, for an error about its value: diag_place(d, args_span(a, "mass")). */
-span args_span(const args *a, const char *name);
-span args_span_at(const args *a, const char *name, size_t i);
-
-/* ---- texts run later -------------------------------------------------------------------------------------------- */
-
-command_text *command_text_keep(command_text *t); /* counts references */
-void command_text_free(command_text *t);
-int interp_run_text(interp *in, command_text *t, diag *d);
-
-/* ---- expressions ------------------------------------------------------------------------------------------------ */
-
-expr *expr_keep(expr *e); /* counts references; NULL is allowed */
-void expr_free(expr *e);
-const char *expr_text(const expr *e); /* as written, after replacement of $ */
-
-/* Evaluate on the scene as it stands. Undefined (NaN) values are no error for a number, false as a truth. */
-int interp_number(interp *in, expr *e, quantity *out, diag *d);
-int interp_truth(interp *in, expr *e, bool *out, diag *d);
-int interp_cells(interp *in, expr *e, double *si, dim *dimension, diag *d); /* si: one a cell row */
-int interp_flags(interp *in, expr *e, bool *flags, diag *d);                /* flags: one a cell row */
-
-/* A column for the writers of tables and dumps from a `value` or `cell` expression: its heading is the expression's
- * text. The column holds the expression and must not outlive the interpreter. */
-int interp_column(interp *in, expr *e, bool per_cell, output_column *out, diag *d);
-
-/* ---- the interpreter's services --------------------------------------------------------------------------------- */
-
-scene *interp_scene(interp *in);
-void *interp_client(interp *in);
-bool interp_checking(const interp *in);  /* -check: change only names and settings, touch no file */
-bool interp_replaying(const interp *in); /* interp_journal_replay is running */
-
-typedef enum { UNITS_SI, UNITS_BIO } unit_system;
-void interp_set_units(interp *in, unit_system u);
-unit_system interp_units(const interp *in);
-
-/* The units of bare numbers of dimension d, in SI: 1 under si. */
-double interp_unit(const interp *in, dim d);
-
-void interp_print(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3))); /* screen and log */
-void interp_screen(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3)));
-void interp_log(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3)));
-void interp_warn(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3))); /* limited, counted */
-
-typedef enum { WARN_ON, WARN_OFF, WARN_ERROR } warn_mode;
-void interp_set_warn(interp *in, warn_mode mode);
-
-/* Warnings under `warn error` become an error of the command that gave them, when it returns. */
-
-/* Runs a command or block given as text. */
-int interp_execute(interp *in, const char *text, diag *d);
-
-/* In a check: from here on names are unknown (a restart file defines them), so none is reported as missing. */
-void interp_open_world(interp *in);
-
-/* The folder of the running script, "" for the prompt: ${here}. */
-const char *interp_here(const interp *in);
-
-/* The journal: the texts, $ replaced, of the COMMAND_JOURNAL commands that succeeded. */
-size_t interp_journal_count(const interp *in);
-const char *interp_journal(const interp *in, size_t i);
-void interp_journal_clear(interp *in); /* `clear` */
-int interp_journal_replay(interp *in, const char *const *texts, size_t n, diag *d);
-
-/* The variables as text, one a line: for restart files. Loading keeps what the command line set (-var wins).
- * The caller frees the text. */
-char *interp_variables_save(const interp *in);
-int interp_variables_load(interp *in, const char *text, diag *d);
 
 #endif

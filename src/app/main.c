@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The program: sarcina [OPTION...] [FILE]. */
+#include "app/options.h"
+#include "app/program.h"
+#include "app/repl.h"
+#include "app/test_run.h"
+#include "base/alloc.h"
+#include "script/interp.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* All of standard input; the caller frees. */
+static char *read_standard_input(void) {
+    char *text = NULL;
+    size_t n = 0, capacity = 0, got;
+    do {
+        text = alloc_grow(text, &capacity, n + 65537, 1);
+        got = fread(text + n, 1, 65536, stdin);
+        n += got;
+    } while (got);
+    text[n] = '\0';
+    return text;
+}
+
+/* A script by whichever way it came: name NULL: a file called text. */
+static size_t check(interp *in, const char *name, const char *text) {
+    return name ? interp_check_text(in, name, text) : interp_check_file(in, text);
+}
+
+static int run(interp *in, const options *o, const char *name, const char *text) {
+    size_t errors = check(in, name, text);
+    if (o->check)
+        printf("%zu error%s\n", errors, errors == 1 ? "" : "s");
+    if (errors || o->check)
+        return errors ? SARCINA_ERROR : SARCINA_OK;
+    return name ? interp_run_source(in, name, text) : interp_run_file(in, text);
+}
+
+static int run_commands(interp *in, const options *o) {
+    int status = SARCINA_OK, code;
+    for (size_t i = 0; i < o->ncommands && !status && !interp_has_quit(in, &code); i++)
+        status = run(in, o, "-e", o->commands[i]);
+    return status;
+}
+
+static int run_pipe(interp *in, const options *o) {
+    char *text = read_standard_input();
+    int status = run(in, o, "<stdin>", text);
+    free(text);
+    return status;
+}
+
+static void tell_warnings(const interp *in) {
+    uint64_t n = interp_warnings(in);
+    if (n)
+        fprintf(stderr, "%" PRIu64 " warning%s\n", n, n == 1 ? "" : "s");
+}
+
+static int run_all(interp *in, const options *o) {
+    bool nothing = !o->file && !o->ncommands, terminal = isatty(STDIN_FILENO);
+    int status = SARCINA_OK, code = 0;
+    if (o->file)
+        status = run(in, o, NULL, o->file);
+    if (!status)
+        status = run_commands(in, o);
+    if (nothing && !terminal && !o->interactive)
+        status = run_pipe(in, o);
+    if ((nothing && terminal) || o->interactive)
+        status = repl_run(in);
+    tell_warnings(in);
+    return interp_has_quit(in, &code) && !status ? code : status;
+}
+
+static int run_program(const options *o) {
+    program p;
+    diag d = {0};
+    int status = program_create(&p, o, &d);
+    if (status) {
+        program_complain(&d);
+        return status;
+    }
+    program_catch_interrupts(&p);
+    if (o->test) {
+        status = test_run_all(&p, o);
+    } else {
+        interp *in = program_interp(&p, o, &d);
+        status = in ? run_all(in, o) : (int)d.status;
+        if (!in)
+            program_complain(&d);
+        interp_free(in);
+    }
+    program_free(&p);
+    return status;
+}
+
+int main(int argc, char **argv) {
+    options o;
+    diag d = {0};
+    int status = options_read(&o, argc, argv, &d);
+    if (status) {
+        program_complain(&d);
+        fputs("'sarcina -help' lists the options\n", stderr);
+    } else if (o.version) {
+        printf("sarcina %s\n", SARCINA_VERSION);
+    } else if (o.help) {
+        fputs(options_help(), stdout);
+    } else {
+        status = run_program(&o);
+    }
+    options_free(&o);
+    return status;
+}

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "app/options.h"
+
+#include "base/alloc.h"
+#include "base/table.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct option {
+    const char *name;
+    int words; /* that follow it */
+    int (*take)(options *o, char **words, diag *d);
+} option;
+
+static int take_in(options *o, char **words, diag *d) {
+    if (o->file)
+        return diag_fail(d, SARCINA_USAGE, "two scripts: '%s' and '%s'", o->file, words[0]);
+    o->file = words[0];
+    return SARCINA_OK;
+}
+
+static int take_var(options *o, char **words, diag *d) {
+    (void)d;
+    o->names = alloc_resize(o->names, o->nvars + 1, sizeof *o->names);
+    o->texts = alloc_resize(o->texts, o->nvars + 1, sizeof *o->texts);
+    o->names[o->nvars] = words[0];
+    o->texts[o->nvars++] = words[1];
+    return SARCINA_OK;
+}
+
+static int take_command(options *o, char **words, diag *d) {
+    (void)d;
+    o->commands = alloc_resize(o->commands, o->ncommands + 1, sizeof *o->commands);
+    o->commands[o->ncommands++] = words[0];
+    return SARCINA_OK;
+}
+
+static int take_log(options *o, char **words, diag *d) {
+    (void)d;
+    o->log = strcmp(words[0], "none") == 0 ? NULL : words[0];
+    return SARCINA_OK;
+}
+
+static int take_screen(options *o, char **words, diag *d) {
+    (void)d;
+    o->screen = words[0];
+    return SARCINA_OK;
+}
+
+static int take_echo(options *o, char **words, diag *d) {
+    (void)d;
+    o->echo = words[0];
+    return SARCINA_OK;
+}
+
+static int take_threads(options *o, char **words, diag *d) {
+    char *end;
+    long n = strtol(words[0], &end, 10);
+    if (*end || n < 1 || n > 1024)
+        return diag_fail(d, SARCINA_USAGE, "-threads takes a number from 1 to 1024, not '%s'", words[0]);
+    o->threads = (int)n;
+    return SARCINA_OK;
+}
+
+#define SWITCH(id)                                                                                                     \
+    static int take_##id(options *o, char **words, diag *d) {                                                          \
+        (void)words, (void)d;                                                                                          \
+        o->id = true;                                                                                                  \
+        return SARCINA_OK;                                                                                             \
+    }
+SWITCH(check)
+SWITCH(test)
+SWITCH(interactive)
+SWITCH(safe)
+SWITCH(version)
+SWITCH(help)
+
+static const option table[] = {
+    {"in", 1, take_in},         {"var", 2, take_var},         {"e", 1, take_command},   {"log", 1, take_log},
+    {"screen", 1, take_screen}, {"echo", 1, take_echo},       {"check", 0, take_check}, {"test", 0, take_test},
+    {"i", 0, take_interactive}, {"threads", 1, take_threads}, {"safe", 0, take_safe},   {"version", 0, take_version},
+    {"help", 0, take_help},     {"h", 0, take_help},          {"v", 2, take_var},
+};
+
+const char *options_help(void) {
+    return "usage: sarcina [OPTION...] [FILE]\n"
+           "  FILE, -in FILE     run this script; without one, a prompt, or the commands that come through a pipe\n"
+           "  -var NAME TEXT     set a variable before the script, whose own 'variable NAME default' yields\n"
+           "  -e COMMAND         run this command (after FILE when there is one)\n"
+           "  -i                 stay at the prompt afterwards\n"
+           "  -check             read and check the whole script, report every error, run nothing\n"
+           "  -test PATH...      run the scripts *.test.in of these files and folders; print N passed, N failed\n"
+           "  -log FILE|none     write a log\n"
+           "  -screen FILE|none  print to this file, or nowhere\n"
+           "  -echo MODE         none, screen, log or both: where commands are shown as they run\n"
+           "  -threads N         processor cores to compute on\n"
+           "  -safe              refuse commands that reach outside, such as shell\n"
+           "  -version, -help\n"
+           "--NAME is the same as -NAME. Exit: 0 done, 1 error in the script, 2 wrong command line, 3 numerical\n"
+           "failure, 4 failed expect, 130 interrupted. 'sarcina -e help' lists the commands.\n";
+}
+
+static int take_word(options *o, char *text, diag *d) {
+    if (!o->test)
+        return take_in(o, &text, d);
+    o->tests = alloc_resize(o->tests, o->ntests + 1, sizeof *o->tests);
+    o->tests[o->ntests++] = text;
+    return SARCINA_OK;
+}
+
+static int take_option(options *o, const char *name, char **words, int left, int *used, diag *d) {
+    ptrdiff_t row = table_find(table, TABLE_COUNT(table), sizeof *table, name);
+    if (row < 0) {
+        const char *near = table_nearest(table, TABLE_COUNT(table), sizeof *table, name);
+        diag_fail(d, SARCINA_USAGE, "unknown option '-%s'", name);
+        return near ? diag_help(d, "did you mean '-%s'?", near) : SARCINA_USAGE;
+    }
+    if (left < table[row].words)
+        return diag_fail(d, SARCINA_USAGE, "-%s needs %d word%s behind it", name, table[row].words,
+                         table[row].words == 1 ? "" : "s");
+    *used = table[row].words;
+    return table[row].take(o, words, d);
+}
+
+int options_read(options *o, int argc, char **argv, diag *d) {
+    *o = (options){0};
+    int status = SARCINA_OK;
+    for (int i = 1; i < argc && !status; i++) {
+        char *word = argv[i];
+        int used = 0;
+        if (word[0] != '-' || word[1] == '\0')
+            status = take_word(o, word, d);
+        else
+            status = take_option(o, word + 1 + (word[1] == '-'), argv + i + 1, argc - i - 1, &used, d);
+        i += used;
+    }
+    if (!status && o->test && o->ntests == 0)
+        status = diag_fail(d, SARCINA_USAGE, "-test needs the files or folders to test");
+    return status;
+}
+
+void options_free(options *o) {
+    free(o->names);
+    free(o->texts);
+    free(o->commands);
+    free(o->tests);
+}

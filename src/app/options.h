@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command line: LAMMPS's switches and ours; --name is accepted for each. */
+#ifndef SARCINA_APP_OPTIONS_H
+#define SARCINA_APP_OPTIONS_H
+
+#include "base/diag.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct options {
+    const char *file;   /* NULL: none */
+    const char **names; /* of -var; texts beside them */
+    const char **texts;
+    size_t nvars;
+    const char **commands; /* of -e */
+    size_t ncommands;
+    const char **tests; /* behind -test */
+    size_t ntests;
+    const char *log;    /* NULL: none */
+    const char *screen; /* NULL: standard output; "none"; a file */
+    const char *echo;   /* NULL: as the language has it */
+    int threads;        /* 0: not given */
+    bool check, test, interactive, safe, version, help;
+} options;
+
+/* Fills o from the command line; its lists are freed with options_free. SARCINA_USAGE with an error when the command
+ * line is at fault. */
+int options_read(options *o, int argc, char **argv, diag *d);
+void options_free(options *o);
+
+/* The text of -help. */
+const char *options_help(void);
+
+#endif

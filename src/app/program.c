@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "app/program.h"
+
+#include "base/alloc.h"
+#include "command/control.h"
+
+#include <errno.h>
+#include <gsl/gsl_errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static volatile sig_atomic_t interrupted;
+
+static void on_interrupt(int signal_number) {
+    if (interrupted) { /* twice: it is not being looked at */
+        signal(signal_number, SIG_DFL);
+        raise(signal_number);
+    }
+    interrupted = 1;
+}
+
+void program_catch_interrupts(program *p) {
+    (void)p;
+    struct sigaction action = {.sa_handler = on_interrupt};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+}
+
+void program_clear_interrupt(void) {
+    interrupted = 0;
+}
+
+void program_complain(const diag *d) {
+    fprintf(stderr, "sarcina: error: %s\n", d->message);
+    for (const char *h = d->help; *h;) {
+        size_t n = strcspn(h, "\n");
+        fprintf(stderr, "help: %.*s\n", (int)n, h);
+        h += n + (h[n] == '\n');
+    }
+}
+
+/* ---- callbacks ---- */
+
+static void print_screen(void *self, const char *text) {
+    const program *p = self;
+    if (!p->screen)
+        return;
+    fputs(text, p->screen);
+    fflush(p->screen);
+}
+
+static void print_log(void *self, const char *text) {
+    const program *p = self;
+    if (p->log)
+        fputs(text, p->log);
+}
+
+static void print_error(void *self, const char *text) {
+    const program *p = self;
+    if (p->screen)
+        fflush(p->screen);
+    fputs(text, stderr);
+    if (p->log)
+        fputs(text, p->log);
+}
+
+static void close_log(program *p) {
+    if (p->log)
+        fclose(p->log);
+    p->log = NULL;
+}
+
+static int open_log(void *self, const char *path, bool append, diag *d) {
+    program *p = self;
+    FILE *f = path ? fopen(path, append ? "a" : "w") : NULL;
+    if (path && !f)
+        return diag_error(d, "cannot write the log '%s': %s", path, strerror(errno));
+    close_log(p);
+    p->log = f;
+    return SARCINA_OK;
+}
+
+static int run_shell(void *self, const char *command, diag *d) {
+    const program *p = self;
+    if (p->screen)
+        fflush(p->screen);
+    int code = system(command);
+    return code == 0 ? SARCINA_OK : diag_error(d, "the command ended with %d: %s", code, command);
+}
+
+static const char *look_up_environment(void *self, const char *name) {
+    (void)self;
+    return getenv(name);
+}
+
+/* ---- life ---- */
+
+/* scripts/lib beside the program's checkout: BUILD/bin/sarcina stands two folders below it. */
+static char *find_library(void) {
+    char path[4096];
+    ssize_t n = readlink("/proc/self/exe", path, sizeof path - 1);
+    if (n <= 0)
+        return NULL;
+    path[n] = '\0';
+    for (int up = 0; up < 4; up++) {
+        char *slash = strrchr(path, '/');
+        if (!slash)
+            return NULL;
+        *slash = '\0';
+        char *library = alloc_format("%s/scripts/lib", path);
+        if (access(library, R_OK) == 0)
+            return library;
+        free(library);
+    }
+    return NULL;
+}
+
+static int open_outputs(program *p, const options *o, diag *d) {
+    bool none = o->screen && strcmp(o->screen, "none") == 0;
+    p->screen = none ? NULL : o->screen ? fopen(o->screen, "w") : stdout;
+    if (!none && !p->screen)
+        return diag_fail(d, SARCINA_USAGE, "cannot write '%s': %s", o->screen, strerror(errno));
+    return o->log ? open_log(p, o->log, false, d) : SARCINA_OK;
+}
+
+int program_create(program *p, const options *o, diag *d) {
+    *p = (program){0};
+    gsl_set_error_handler_off();
+    int status = open_outputs(p, o, d);
+    if (status)
+        return status;
+    p->units = units_create(d);
+    if (!p->units)
+        return SARCINA_ERROR;
+    p->commands = command_table_create(p->units);
+    control_add(p->commands);
+    p->library = find_library();
+    p->host = (interp_host){.commands = p->commands,
+                            .units = p->units,
+                            .self = p,
+                            .screen = print_screen,
+                            .log = print_log,
+                            .error = print_error,
+                            .open_log = open_log,
+                            .shell = run_shell,
+                            .environment = look_up_environment,
+                            .interrupt = &interrupted,
+                            .library = p->library,
+                            .safe = o->safe,
+                            .test = o->test};
+    return SARCINA_OK;
+}
+
+void program_free(program *p) {
+    command_table_free(p->commands);
+    units_free(p->units);
+    free(p->library);
+    close_log(p);
+    if (p->screen && p->screen != stdout)
+        fclose(p->screen);
+    *p = (program){0};
+}
+
+interp *program_interp(program *p, const options *o, diag *d) {
+    interp *in = interp_create(&p->host);
+    int status = SARCINA_OK;
+    for (size_t i = 0; i < o->nvars && !status; i++)
+        status = interp_set_variable(in, o->names[i], o->texts[i], d);
+    if (!status && o->echo) {
+        char *command = alloc_format("echo %s", o->echo);
+        status = interp_execute(in, command, d);
+        free(command);
+    }
+    if (o->threads)
+        interp_scene(in)->threads = o->threads;
+    if (!status)
+        return in;
+    if (d)
+        d->status = SARCINA_USAGE;
+    interp_free(in);
+    return NULL;
+}

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the program lends the interpreter: screen, log, shell, environment, Ctrl-C. The only place that prints. */
+#ifndef SARCINA_APP_PROGRAM_H
+#define SARCINA_APP_PROGRAM_H
+
+#include "app/options.h"
+#include "script/interp.h"
+
+#include <stdio.h>
+
+typedef struct program {
+    interp_host host;
+    units *units;
+    command_table *commands;
+    FILE *screen, *log; /* NULL: nowhere */
+    char *library;
+} program;
+
+/* Sets up everything from the command line. On an error nothing is left to free. */
+int program_create(program *p, const options *o, diag *d);
+void program_free(program *p);
+
+/* An interpreter with the variables and settings of the command line. */
+interp *program_interp(program *p, const options *o, diag *d);
+
+/* Ctrl-C sets the interrupt flag; a second one before it was looked at ends the program. */
+void program_catch_interrupts(program *p);
+void program_clear_interrupt(void);
+
+/* "sarcina: error: ..." with help, on standard error. */
+void program_complain(const diag *d);
+
+#endif

@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A command's line against the records of its forms: which form, then every argument in place, then the keywords. */
+#include "script/argument.h"
+
+#include "base/alloc.h"
+#include "base/table.h"
+#include "script/names.h"
+#include "script/state.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- which form ---- */
+
+enum { FORMS_MAX = 64 };
+
+typedef struct candidates {
+    const signature *list[FORMS_MAX];
+    size_t n;
+} candidates;
+
+static void find_forms(const command_table *t, const char *name, candidates *c) {
+    c->n = 0;
+    for (size_t i = 0; i < t->count && c->n < FORMS_MAX; i++)
+        if (strcmp(t->list[i].head[0].name, name) == 0)
+            c->list[c->n++] = &t->list[i];
+}
+
+static bool is_literal(const signature *s, size_t i) {
+    return i < s->nhead && s->head[i].kind == SLOT_LITERAL;
+}
+
+/* Keeps the candidates that have this word at place i, or, when none has, those that take an argument there. */
+static void narrow(candidates *c, size_t i, const word *w) {
+    candidates literal = {.n = 0}, other = {.n = 0};
+    for (size_t k = 0; k < c->n; k++) {
+        const signature *s = c->list[k];
+        if (is_literal(s, i) && w->text && !w->quote && strcmp(s->head[i].name, w->text) == 0)
+            literal.list[literal.n++] = s;
+        else if (!is_literal(s, i))
+            other.list[other.n++] = s;
+    }
+    *c = literal.n ? literal : other;
+}
+
+static int refuse_form(const candidates *before, size_t i, reader *r, const word *w, diag *d) {
+    name_list l = {0};
+    char all[512] = "";
+    for (size_t k = 0, used = 0; k < before->n; k++) {
+        const signature *s = before->list[k];
+        size_t seen = l.n;
+        if (is_literal(s, i))
+            names_add(&l, s->head[i].name);
+        if (l.n > seen && used + 60 < sizeof all)
+            used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", seen ? " | " : "", s->head[i].name);
+    }
+    if (w->text)
+        diag_error(d, "%s: expected %s, not '%s'", before->list[0]->head[0].name, all, w->text);
+    else
+        diag_error(d, "%s: expected %s", before->list[0]->head[0].name, all);
+    if (w->text && l.n > 1)
+        names_suggest(&l, w->text, "choices", d);
+    diag_place(d, reader_word_span(r, w));
+    return SARCINA_ERROR;
+}
+
+/* Whether a literal at place i or behind it tells candidates apart. */
+static bool needs_word(const candidates *c, size_t i) {
+    for (size_t k = 0; k < c->n; k++)
+        for (size_t at = i; at < c->list[k]->nhead; at++)
+            if (is_literal(c->list[k], at))
+                return true;
+    return false;
+}
+
+static const signature *choose_form(candidates *c, reader *r, bool *unknown, diag *d) {
+    for (size_t i = 1; needs_word(c, i); i++) {
+        word w;
+        if (reader_peek(r, &w, d) != SARCINA_OK)
+            return NULL;
+        if (w.only_unknown && !w.unknown->number) {
+            *unknown = true;
+            return NULL;
+        }
+        candidates before = *c;
+        narrow(c, i, &w);
+        if (c->n == 0) {
+            refuse_form(&before, i, r, &w, d);
+            return NULL;
+        }
+        if (!w.text)
+            break;
+        reader_take(r, &w);
+    }
+    return c->list[0];
+}
+
+const signature *args_read_form(interp *in, reader *r, bool *unknown, diag *d) {
+    word w;
+    candidates c;
+    *unknown = false;
+    if (reader_peek(r, &w, d) != SARCINA_OK)
+        return NULL;
+    find_forms(in->host->commands, w.text, &c);
+    reader_take(r, &w);
+    size_t at = r->at;
+    const signature *form = choose_form(&c, r, unknown, d);
+    r->at = at;
+    return form;
+}
+
+/* ---- reading a line ---- */
+
+/* `off` in the place of the arguments. */
+static int read_off(args *a, reader *r, bool *off, diag *d) {
+    word w;
+    int status = reader_peek(r, &w, d);
+    *off = !status && w.text && !w.quote && strcmp(w.text, "off") == 0;
+    if (!*off)
+        return status;
+    reader_take(r, &w);
+    a->off = true;
+    status = reader_peek(r, &w, d);
+    if (status || !w.text)
+        return status;
+    diag_error(d, "off ends the command; unexpected '%s'", w.text);
+    diag_place(d, reader_word_span(r, &w));
+    return SARCINA_ERROR;
+}
+
+/* Whether a check cannot go on: the next word is a text it does not know. */
+static bool is_lost(args *a, reader *r) {
+    word w;
+    if (!a->in->check.on || reader_peek(r, &w, NULL) != SARCINA_OK || !w.text)
+        return false;
+    a->unknown = w.only_unknown && !w.quote && !w.unknown->number;
+    return a->unknown;
+}
+
+static int read_head(args *a, reader *r, diag *d) {
+    const signature *f = a->form;
+    for (size_t i = 1; i < f->nhead; i++) {
+        const slot *s = &f->head[i];
+        bool off = false;
+        if (f->off_at == i && read_off(a, r, &off, d) != SARCINA_OK)
+            return SARCINA_ERROR;
+        if (off || is_lost(a, r))
+            return SARCINA_OK;
+        if (s->kind == SLOT_LITERAL) {
+            word w;
+            if (argument_next_word(a, s, r, &w, d) != SARCINA_OK)
+                return SARCINA_ERROR;
+            reader_take(r, &w);
+        } else if (!(s->optional && reader_at_end(r)) && argument_read(a, s, &a->values[i], r, d) != SARCINA_OK) {
+            return SARCINA_ERROR;
+        }
+    }
+    bool off = false;
+    return f->off_at == f->nhead ? read_off(a, r, &off, d) : SARCINA_OK;
+}
+
+static int refuse_keyword(args *a, reader *r, const word *w, diag *d) {
+    const signature *f = a->form;
+    name_list l = {0};
+    for (size_t i = 0; i < f->nkey; i++)
+        names_add(&l, f->key[i].name);
+    diag_error(d, "%s has no keyword '%s'", f->head[0].name, w->text);
+    unit u;
+    if (units_find(a->in->host->units, w->text, w->n, &u, NULL) == SARCINA_OK && w->n)
+        diag_help(d, "a unit follows its number without a blank");
+    else if (w->n == 1 && strchr("+-*/%^<>=!", *w->text))
+        diag_help(d, "blanks stand in a one-word expression only inside ( ) or quotes");
+    names_suggest(&l, w->text, "keywords", d);
+    diag_place(d, reader_word_span(r, w));
+    return SARCINA_ERROR;
+}
+
+static int read_keyword(args *a, reader *r, diag *d) {
+    word w;
+    if (reader_peek(r, &w, d) != SARCINA_OK)
+        return SARCINA_ERROR;
+    if (!w.text)
+        return SARCINA_OK;
+    size_t index;
+    const slot *s = w.quote ? NULL : signature_find(a->form, w.text, &index);
+    if (!s || index < a->form->nhead)
+        return refuse_keyword(a, r, &w, d);
+    if (a->values[index].given && s->kind != SLOT_EVERY) {
+        diag_error(d, "%s is given twice", s->name);
+        diag_place(d, reader_word_span(r, &w));
+        return SARCINA_ERROR;
+    }
+    reader_take(r, &w);
+    if (is_lost(a, r))
+        return SARCINA_OK;
+    return argument_read(a, s, &a->values[index], r, d);
+}
+
+/* ---- what must be there ---- */
+
+static bool has_group(const args *a, int group) {
+    for (size_t i = 0; i < a->form->nkey; i++)
+        if (a->form->key[i].group == group && a->values[a->form->nhead + i].given)
+            return true;
+    return false;
+}
+
+static int refuse_missing(const args *a, const slot *s, reader *r, diag *d) {
+    char names[256];
+    size_t used = (size_t)snprintf(names, sizeof names, "%s", s->name);
+    for (size_t i = 0; s->group && i < a->form->nkey && used + 60 < sizeof names; i++) {
+        const slot *other = &a->form->key[i];
+        if (other->group == s->group && other != s)
+            used += (size_t)snprintf(names + used, sizeof names - used, " or %s", other->name);
+    }
+    diag_error(d, "%s needs %s", a->form->head[0].name, names);
+    size_t end = reader_end(r);
+    diag_place(d, reader_span(r, end, end));
+    return SARCINA_ERROR;
+}
+
+static int check_required(args *a, reader *r, diag *d) {
+    const signature *f = a->form;
+    bool amends = f->form.exists && f->form.exists(a->in, a);
+    for (size_t i = 0; i < f->nkey && !amends && !a->off; i++) {
+        const slot *s = &f->key[i];
+        bool given = a->values[f->nhead + i].given;
+        if ((s->required && !given) || (s->group && !has_group(a, s->group)))
+            return refuse_missing(a, s, r, d);
+    }
+    return SARCINA_OK;
+}
+
+int args_read(interp *in, const signature *form, reader *r, args *out, diag *d) {
+    *out = (args){.in = in, .form = form};
+    out->values = alloc_zeroed(form->nhead + form->nkey, sizeof *out->values);
+    int status = read_head(out, r, d);
+    while (!status && !out->off && !out->unknown && !reader_at_end(r))
+        status = read_keyword(out, r, d);
+    if (status || out->unknown)
+        return status;
+    for (size_t i = 1; i < form->nhead + form->nkey; i++) {
+        const slot *s = i < form->nhead ? &form->head[i] : &form->key[i - form->nhead];
+        if (s->kind != SLOT_LITERAL && !out->values[i].given)
+            argument_set_default(out, s, &out->values[i]);
+    }
+    return check_required(out, r, d);
+}

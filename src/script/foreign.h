@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Commands of LAMMPS, and words of other languages, that people will type: what to write here. */
+#ifndef SARCINA_SCRIPT_FOREIGN_H
+#define SARCINA_SCRIPT_FOREIGN_H
+
+#include "base/diag.h"
+
+#include <stdbool.h>
+
+/* Whether name is one of them; then the error says what there is instead. */
+bool foreign_explain(const char *name, diag *d);
+
+#endif

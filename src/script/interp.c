@@ -1,0 +1,393 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "script/interp.h"
+
+#include "base/alloc.h"
+#include "script/execute.h"
+#include "script/names.h"
+#include "script/state.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { WARNINGS_SHOWN = 20 };
+
+/* ---- life ---- */
+
+static void warn_of_scene(void *self, const char *message) {
+    interp_warn(self, "%s", message);
+}
+
+interp *interp_create(const interp_host *host) {
+    interp *in = alloc_zeroed(1, sizeof *in);
+    in->host = host;
+    in->echo = ECHO_LOG;
+    in->scene = scene_create();
+    in->scene->warn = warn_of_scene;
+    in->scene->warn_self = in;
+    in->scene->interrupt = host->interrupt;
+    if (host->commands->client_create)
+        in->client = host->commands->client_create(in);
+    return in;
+}
+
+void interp_free(interp *in) {
+    if (!in)
+        return;
+    if (in->host->commands->client_free)
+        in->host->commands->client_free(in->client);
+    scene_free(in->scene);
+    variables_free(&in->variables);
+    interp_journal_clear(in);
+    free(in->journal);
+    for (size_t i = 0; i < in->check.ndoubtful; i++)
+        free(in->check.doubtful[i]);
+    free(in->check.doubtful);
+    for (size_t i = 0; i < in->nsources; i++)
+        source_free(in->sources[i]);
+    free(in->sources);
+    free(in->expanded);
+    free(in->trace);
+    free(in);
+}
+
+source *interp_keep_source(interp *in, source *s) {
+    in->sources = alloc_grow(in->sources, &in->source_capacity, in->nsources + 1, sizeof *in->sources);
+    return in->sources[in->nsources++] = s;
+}
+
+/* ---- what stands ---- */
+
+scene *interp_scene(interp *in) {
+    return in->scene;
+}
+
+void *interp_client(interp *in) {
+    return in->client;
+}
+
+bool interp_checking(const interp *in) {
+    return in->check.on;
+}
+
+bool interp_replaying(const interp *in) {
+    return in->replaying;
+}
+
+void interp_set_units(interp *in, unit_system u) {
+    in->units = u;
+}
+
+unit_system interp_units(const interp *in) {
+    return in->units;
+}
+
+double interp_unit(const interp *in, dim d) {
+    return in->units == UNITS_SI ? 1 : dim_from_engine(1, d);
+}
+
+void interp_open_world(interp *in) {
+    in->check.open_world = true;
+}
+
+const char *interp_here(const interp *in) {
+    for (int i = in->depth - 1; i >= 0; i--)
+        if (in->stack[i].running)
+            return in->stack[i].running->folder;
+    return "";
+}
+
+void interp_set_warn(interp *in, warn_mode mode) {
+    in->warn = mode;
+}
+
+void interp_set_echo(interp *in, echo_mode mode) {
+    in->echo = mode;
+}
+
+void interp_quit(interp *in, int code) {
+    in->quit = true;
+    in->quit_code = code;
+}
+
+bool interp_has_quit(const interp *in, int *code) {
+    *code = in->quit_code;
+    return in->quit;
+}
+
+void interp_expects(const interp *in, uint64_t *passed, uint64_t *failed) {
+    *passed = in->expects_passed;
+    *failed = in->expects_failed;
+}
+
+uint64_t interp_warnings(const interp *in) {
+    return in->warnings;
+}
+
+/* ---- printing ---- */
+
+/* One line to the screen, the log or both. */
+static void print_line(interp *in, bool screen, bool log, const char *format, va_list list) {
+    char *text = NULL;
+    if (in->check.on || vasprintf(&text, format, list) < 0)
+        return;
+    char *line = alloc_format("%s\n", text);
+    if (screen && in->host->screen)
+        in->host->screen(in->host->self, line);
+    if (log && in->host->log)
+        in->host->log(in->host->self, line);
+    free(line);
+    free(text);
+}
+
+void interp_print(interp *in, const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    print_line(in, true, true, format, list);
+    va_end(list);
+}
+
+void interp_screen(interp *in, const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    print_line(in, true, false, format, list);
+    va_end(list);
+}
+
+void interp_log(interp *in, const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    print_line(in, false, true, format, list);
+    va_end(list);
+}
+
+static void tell_warning(interp *in, const char *message) {
+    const source *s = in->at.source;
+    bool last = in->warnings == WARNINGS_SHOWN;
+    const char *more = last ? "\nfurther warnings are only counted" : "";
+    char *line = s && *s->name ? alloc_format("%s:%u: warning: %s%s\n", s->name, in->at.line, message, more)
+                               : alloc_format("warning: %s%s\n", message, more);
+    if (in->host->error)
+        in->host->error(in->host->self, line);
+    free(line);
+}
+
+void interp_warn(interp *in, const char *format, ...) {
+    if (in->warn == WARN_OFF)
+        return;
+    char message[512];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(message, sizeof message, format, list);
+    va_end(list);
+    in->warnings++;
+    if (in->warn == WARN_ERROR && !*in->warned)
+        snprintf(in->warned, sizeof in->warned, "%.250s", message);
+    else if (in->warn == WARN_ON && in->warnings <= WARNINGS_SHOWN)
+        tell_warning(in, message);
+}
+
+/* ---- host services ---- */
+
+int interp_open_log(interp *in, const char *path, bool append, diag *d) {
+    return in->host->open_log ? in->host->open_log(in->host->self, path, append, d) : SARCINA_OK;
+}
+
+int interp_shell(interp *in, const char *command, diag *d) {
+    return in->host->shell ? in->host->shell(in->host->self, command, d) : diag_error(d, "there is no shell here");
+}
+
+const char *interp_environment(interp *in, const char *name) {
+    return in->host->environment ? in->host->environment(in->host->self, name) : NULL;
+}
+
+/* ---- variables ---- */
+
+int interp_set_variable(interp *in, const char *name, const char *text, diag *d) {
+    if (names_check_new(in, NULL, name, d) != SARCINA_OK)
+        return SARCINA_ERROR;
+    variables_set_text(&in->variables, name, text);
+    variables_find(&in->variables, name)->command_line = true;
+    return SARCINA_OK;
+}
+
+/* ---- running ---- */
+
+/* Tells the host about a failure that nothing above will handle. */
+static int tell(interp *in, const diag *d) {
+    if (d->status && in->host->error) {
+        char *text = interp_explain(in, d);
+        in->host->error(in->host->self, text);
+        free(text);
+    }
+    return (int)d->status;
+}
+
+int interp_execute(interp *in, const char *text, diag *d) {
+    return execute_source(in, interp_keep_source(in, source_of_text("", text)), "text", d);
+}
+
+int interp_run_file(interp *in, const char *path) {
+    diag d = {0};
+    source *s = source_read(path, &d);
+    if (s && execute_source(in, interp_keep_source(in, s), "script", &d) == SARCINA_OK)
+        return SARCINA_OK;
+    return tell(in, &d);
+}
+
+int interp_run_source(interp *in, const char *name, const char *text) {
+    diag d = {0};
+    int status = execute_source(in, interp_keep_source(in, source_of_text(name, text)), "script", &d);
+    return status ? tell(in, &d) : SARCINA_OK;
+}
+
+/* The path of an include: beside the running script, in the working folder, in the library. */
+static char *find_include(const interp *in, const char *path) {
+    const char *folders[] = {interp_here(in), "", in->host->library};
+    for (size_t i = 0; i < 3 && *path != '/'; i++) {
+        if (!folders[i])
+            continue;
+        char *full = alloc_format("%s%s%s", folders[i], *folders[i] ? "/" : "", path);
+        if (access(full, R_OK) == 0)
+            return full;
+        free(full);
+    }
+    return alloc_copy(path);
+}
+
+int interp_include(interp *in, const char *path, diag *d) {
+    char *full = find_include(in, path);
+    source *s = source_read(full, d);
+    free(full);
+    return s ? execute_source(in, interp_keep_source(in, s), "include", d) : SARCINA_ERROR;
+}
+
+int interp_expect(interp *in, bool holds, diag *failure) {
+    if (holds) {
+        in->expects_passed++;
+        return SARCINA_OK;
+    }
+    in->expects_failed++;
+    if (!in->host->test)
+        return (int)failure->status;
+    diag_place(failure, in->at);
+    execute_note(in, NULL, failure);
+    tell(in, failure);
+    in->noted = false;
+    return SARCINA_OK;
+}
+
+/* ---- checking ---- */
+
+/* A -var that nothing reads is a slip. */
+static void check_unread(interp *shadow) {
+    for (size_t i = 0; i < shadow->variables.count; i++) {
+        const variable *v = &shadow->variables.list[i];
+        if (!v->command_line || v->read)
+            continue;
+        diag d = {0};
+        diag_error(&d, "-var %s: nothing in the script reads '%s'", v->name, v->name);
+        execute_report(shadow, &d);
+    }
+}
+
+static size_t check_source(interp *in, source *s) {
+    interp *shadow = interp_create(in->host);
+    shadow->check.on = true;
+    shadow->units = in->units;
+    variables_copy(&shadow->variables, &in->variables);
+    diag d = {0};
+    if (execute_source(shadow, interp_keep_source(shadow, s), "script", &d) != SARCINA_OK)
+        execute_report(shadow, &d);
+    check_unread(shadow);
+    size_t errors = shadow->check.errors;
+    interp_free(shadow);
+    return errors;
+}
+
+size_t interp_check_file(interp *in, const char *path) {
+    diag d = {0};
+    source *s = source_read(path, &d);
+    if (s)
+        return check_source(in, s);
+    tell(in, &d);
+    return 1;
+}
+
+size_t interp_check_text(interp *in, const char *name, const char *text) {
+    return check_source(in, source_of_text(name, text));
+}
+
+/* ---- the journal ---- */
+
+size_t interp_journal_count(const interp *in) {
+    return in->njournal;
+}
+
+const char *interp_journal(const interp *in, size_t i) {
+    return in->journal[i];
+}
+
+void interp_journal_clear(interp *in) {
+    for (size_t i = 0; i < in->njournal; i++)
+        free(in->journal[i]);
+    in->njournal = 0;
+}
+
+int interp_journal_replay(interp *in, const char *const *texts, size_t n, diag *d) {
+    echo_mode echo = in->echo;
+    int status = SARCINA_OK;
+    in->replaying = true;
+    in->echo = ECHO_NONE;
+    for (size_t i = 0; i < n && !status; i++)
+        status = interp_execute(in, texts[i], d);
+    in->echo = echo;
+    in->replaying = false;
+    return status;
+}
+
+/* ---- the prompt ---- */
+
+/* Whether the line is an expression and no command: its first word is none and it parses whole. */
+static expr *line_expression(interp *in, const source *s) {
+    piece p = piece_of_source(s);
+    reader r;
+    reader_open(&r, in, &p);
+    piece_free(&p);
+    word w;
+    expr *e = NULL;
+    bool command = reader_peek(&r, &w, NULL) != SARCINA_OK || !w.text || execute_is_command(in, w.text);
+    if (!command)
+        e = expr_read(&r, EXPR_OPEN, NULL);
+    expr_type type;
+    if (e && (!reader_at_end(&r) || expr_check_formula(in, e, NULL) != SARCINA_OK)) {
+        expr_free(e);
+        e = NULL;
+    }
+    /* a lone word that nothing knows is a slip of a command, not of an expression */
+    if (e && e->root->kind == NODE_NAME && expr_check(in, e, true, false, &type, NULL) != SARCINA_OK) {
+        expr_free(e);
+        e = NULL;
+    }
+    reader_close(&r);
+    return e;
+}
+
+int interp_run_line(interp *in, const char *text) {
+    diag d = {0};
+    source *s = interp_keep_source(in, source_of_text("", text));
+    expr *e = line_expression(in, s);
+    in->noted = false;
+    if (!e)
+        return execute_source(in, s, "text", &d) == SARCINA_OK ? SARCINA_OK : tell(in, &d);
+    replacement note;
+    char *value = expr_print(in, e, NULL, &note, &d);
+    if (value)
+        interp_screen(in, "%s", value);
+    int status = value ? SARCINA_OK : tell(in, &d);
+    free(value);
+    expr_free(e);
+    return status;
+}

@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The interpreter: its services for commands, and how a program makes one and feeds it with files, texts and lines. */
+#ifndef SARCINA_SCRIPT_INTERP_H
+#define SARCINA_SCRIPT_INTERP_H
+
+#include "base/units.h"
+#include "engine/scene.h"
+#include "engine/column.h"
+#include "script/args.h"
+
+#include <signal.h>
+
+typedef struct command_table command_table; /* script/command.h */
+
+/* ---- the interpreter's services --------------------------------------------------------------------------------- */
+
+scene *interp_scene(interp *in);
+void *interp_client(interp *in);
+bool interp_checking(const interp *in);  /* -check: change only names and settings, touch no file */
+bool interp_replaying(const interp *in); /* interp_journal_replay is running */
+
+typedef enum { UNITS_SI, UNITS_BIO } unit_system;
+void interp_set_units(interp *in, unit_system u);
+unit_system interp_units(const interp *in);
+
+/* The units of bare numbers of dimension d, in SI: 1 under si. */
+double interp_unit(const interp *in, dim d);
+
+/* Each prints one line; the line end is added. */
+void interp_print(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3))); /* screen and log */
+void interp_screen(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void interp_log(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void interp_warn(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3))); /* limited, counted */
+
+typedef enum { WARN_ON, WARN_OFF, WARN_ERROR } warn_mode;
+void interp_set_warn(interp *in, warn_mode mode);
+
+/* Runs a command or block given as text. */
+int interp_execute(interp *in, const char *text, diag *d);
+
+/* In a check: from here on names are unknown (a restart file defines them), so none is reported as missing. */
+void interp_open_world(interp *in);
+
+/* The folder of the running script, "" for the prompt: ${here}. */
+const char *interp_here(const interp *in);
+
+/* The journal: the texts, $ replaced, of the COMMAND_JOURNAL commands that succeeded. */
+size_t interp_journal_count(const interp *in);
+const char *interp_journal(const interp *in, size_t i);
+void interp_journal_clear(interp *in); /* `clear` */
+int interp_journal_replay(interp *in, const char *const *texts, size_t n, diag *d);
+
+/* The variables as text, one a line: for restart files. Loading keeps what the command line set (-var wins).
+ * The caller frees the text. */
+char *interp_variables_save(const interp *in);
+int interp_variables_load(interp *in, const char *text, diag *d);
+
+/* ---- texts run later -------------------------------------------------------------------------------------------- */
+
+command_text *interp_keep_text(command_text *t); /* counts references */
+void interp_free_text(command_text *t);
+int interp_run_text(interp *in, command_text *t, diag *d);
+
+/* ---- expressions ------------------------------------------------------------------------------------------------ */
+
+expr *expr_keep(expr *e); /* counts references; NULL is allowed */
+void expr_free(expr *e);
+const char *expr_text(const expr *e); /* as written, after replacement of $ */
+
+/* Adds to a diag what the two sides of a comparison are. */
+void expr_explain(interp *in, const expr *e, diag *d);
+
+/* Evaluate on the scene as it stands. Undefined (NaN) values are no error for a number, false as a truth. */
+int interp_number(interp *in, expr *e, quantity *out, diag *d);
+int interp_truth(interp *in, expr *e, bool *out, diag *d);
+int interp_cells(interp *in, expr *e, double *si, dim *dimension, diag *d); /* si: one a cell row */
+int interp_flags(interp *in, expr *e, bool *flags, diag *d);                /* flags: one a cell row */
+
+/* A column for the writers of tables and dumps from a `value` or `cell` expression: its heading is the expression's
+ * text. The column holds the expression and must not outlive the interpreter. */
+int interp_column(interp *in, expr *e, bool per_cell, output_column *out, diag *d);
+
+typedef enum { ECHO_NONE, ECHO_SCREEN, ECHO_LOG, ECHO_BOTH } echo_mode;
+
+/* ---- for the control commands ------------------------------------------------------------------------------------ */
+
+/* Runs a file where the running script stands: looked for beside it, then in the working folder, then in the
+ * library. */
+int interp_include(interp *in, const char *path, diag *d);
+
+/* Counts an expect. A failure under -test is shown and counted, and the script goes on; else it is an error. */
+int interp_expect(interp *in, bool holds, diag *failure);
+
+void interp_set_echo(interp *in, echo_mode mode);
+int interp_open_log(interp *in, const char *path, bool append, diag *d); /* path NULL: none */
+int interp_shell(interp *in, const char *command, diag *d);
+const char *interp_environment(interp *in, const char *name); /* NULL: not set */
+void interp_quit(interp *in, int code);
+
+/* ---- for the program --------------------------------------------------------------------------------------------- */
+
+/* What the interpreter cannot do itself. Every callback but `commands` and `units` may be NULL. */
+typedef struct interp_host {
+    const command_table *commands;
+    units *units;
+    void *self;
+    void (*screen)(void *self, const char *text); /* text with its line ends */
+    void (*log)(void *self, const char *text);
+    void (*error)(void *self, const char *text);                         /* errors and warnings, laid out */
+    int (*open_log)(void *self, const char *path, bool append, diag *d); /* path NULL: no log */
+    int (*shell)(void *self, const char *command, diag *d);
+    const char *(*environment)(void *self, const char *name);
+    const volatile sig_atomic_t *interrupt;
+    const char *library; /* folder include searches last; NULL */
+    bool safe;           /* refuse what is COMMAND_UNSAFE */
+    bool test;           /* a failed expect is counted and the script goes on */
+} interp_host;
+
+/* host must outlive the interpreter. */
+interp *interp_create(const interp_host *host);
+void interp_free(interp *in);
+
+/* -var NAME TEXT. */
+int interp_set_variable(interp *in, const char *name, const char *text, diag *d);
+
+/* Checks a script whole, on a scene of its own: every error goes to host->error. Returns how many there were.
+ * *unread: the error of a -var that nothing reads counts too. */
+size_t interp_check_file(interp *in, const char *path);
+size_t interp_check_text(interp *in, const char *name, const char *text);
+
+/* Runs a script whose check has passed. A failure has been told to host->error; its status returns. */
+int interp_run_file(interp *in, const char *path);
+int interp_run_source(interp *in, const char *name, const char *text);
+
+/* Runs one line or block of a prompt; the status returns and a failure has been told. *value: it was no command but an
+ * expression, whose value has been printed. */
+int interp_run_line(interp *in, const char *text);
+
+/* quit was met; with which code. */
+bool interp_has_quit(const interp *in, int *code);
+
+/* Expects so far, for -test. */
+void interp_expects(const interp *in, uint64_t *passed, uint64_t *failed);
+uint64_t interp_warnings(const interp *in);
+
+/* An error as it is shown; the caller frees. Uses what the interpreter kept of the last error. */
+char *interp_explain(interp *in, const diag *d);
+
+#endif

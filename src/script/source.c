@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "script/source.h"
+
+#include "base/alloc.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static char *folder_of(const char *path) {
+    const char *slash = strrchr(path, '/');
+    if (!slash)
+        return alloc_copy("");
+    return alloc_copy_n(path, slash == path ? 1 : (size_t)(slash - path));
+}
+
+static source *source_new(const char *name, char *folder, char *text, size_t length) {
+    source *s = alloc_zeroed(1, sizeof *s);
+    s->name = alloc_copy(name);
+    s->folder = folder;
+    s->text = text;
+    s->length = length;
+    return s;
+}
+
+source *source_of_text(const char *name, const char *text) {
+    return source_new(name, alloc_copy(""), alloc_copy(text), strlen(text));
+}
+
+/* Everything a stream has, with a NUL behind; *length without it. */
+static char *read_all(FILE *f, size_t *length) {
+    char *text = NULL;
+    size_t capacity = 0, n = 0, got;
+    do {
+        text = alloc_grow(text, &capacity, n + 65537, 1);
+        got = fread(text + n, 1, 65536, f);
+        n += got;
+    } while (got > 0);
+    text[n] = '\0';
+    *length = n;
+    return text;
+}
+
+source *source_read(const char *path, diag *d) {
+    struct stat info;
+    if (stat(path, &info) == 0 && S_ISDIR(info.st_mode)) {
+        diag_error(d, "'%s' is a folder, not a script", path);
+        return NULL;
+    }
+    FILE *f = fopen(path, "rb");
+    if (!f) {
+        diag_error(d, "no file '%s' to read: %s", path, strerror(errno));
+        return NULL;
+    }
+    size_t length;
+    char *text = read_all(f, &length);
+    fclose(f);
+    /* a byte-order mark is no part of the text */
+    if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
+        memmove(text, text + 3, (length -= 3) + 1);
+    return source_new(path, folder_of(path), text, length);
+}
+
+void source_free(source *s) {
+    if (!s)
+        return;
+    free(s->name);
+    free(s->folder);
+    free(s->text);
+    free(s);
+}
+
+const char *source_line(const source *s, uint32_t line, size_t *length) {
+    const char *at = s->text, *end = s->text + s->length;
+    for (uint32_t i = 1; i < line; i++) {
+        const char *next = memchr(at, '\n', (size_t)(end - at));
+        if (!next)
+            return NULL;
+        at = next + 1;
+    }
+    const char *stop = memchr(at, '\n', (size_t)(end - at));
+    *length = (size_t)((stop ? stop : end) - at);
+    if (*length && at[*length - 1] == '\r')
+        --*length;
+    return at;
+}
