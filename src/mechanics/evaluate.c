@@ -61,7 +61,7 @@ static bool is_finite(const mechanics *m, const double *x) {
 /* Puts bodies near in space near in memory. */
 static void sort_bodies(mechanics *m, const double *x) {
     uint32_t *order = alloc_zeroed(m->nbodies, sizeof *order);
-    neighbor_sort(m->capsules, m->nbodies, order);
+    neighbor_sort(&m->neighbor, m->capsules, m->nbodies, order);
     for (size_t slot = 0; slot < m->nbodies; slot++)
         m->spare[slot] = m->bodies[order[slot]];
     free(order);
@@ -78,7 +78,7 @@ static void build(mechanics *m, const double *x) {
     m->neighbor.method = m->settings.method;
     m->neighbor.skin = m->skin;
     sort_bodies(m, x);
-    neighbor_build(&m->neighbor, m->bodies, m->capsules, m->nbodies, m->reach, state_threads(m), m->kernel);
+    neighbor_build(&m->neighbor, m->bodies, m->capsules, m->reach, state_threads(m), m->kernel);
     for (size_t slot = 0; slot < m->nbodies; slot++) {
         const body *b = &m->bodies[slot];
         memcpy(m->built_at + 6 * slot, x + 3 * (size_t)b->first, 3 * sizeof *x);
@@ -120,14 +120,18 @@ force_frame state_frame(const mechanics *m, const double *x, const double *v) {
         .neighbor = &m->neighbor,
         .springs = &m->springs,
         .kernel = m->kernel,
+        .cocci = m->cocci,
         .forces = &m->forces,
         .seed = m->seed,
     };
 }
 
 static void clear_chunk(const mechanics *m, size_t begin, size_t end, double *f) {
-    for (size_t slot = begin; slot < end; slot++)
-        memset(f + 3 * (size_t)m->bodies[slot].first, 0, 3 * (size_t)m->bodies[slot].count * sizeof *f);
+    for (size_t slot = begin; slot < end; slot++) {
+        const body *b = &m->bodies[slot];
+        for (size_t i = 3 * (size_t)b->first; i < 3 * (size_t)(b->first + b->count); i++)
+            f[i] = 0;
+    }
 }
 
 /* The terms of `which` (bit i: row i of the table), in the table's order, chunk by chunk. */

@@ -29,6 +29,7 @@ typedef struct force_frame {
     const struct neighbor *neighbor;    /* NULL without collision */
     const struct spring_index *springs; /* NULL without springs */
     const struct contact_kernel *kernel;
+    bool cocci; /* no body has more than one particle */
     const force_set *forces;
     uint64_t seed; /* of fallback directions */
 } force_frame;

@@ -7,14 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where a capsule is sorted. */
-typedef struct place {
-    int32_t level;
-    uint32_t index;
-    int64_t z, y;
-    double x;
-} place;
-
 /* Level of a capsule: its half length and radius e are in [4^level, 4^(level + 1)). */
 static int32_t level_of(const capsule *c) {
     double e = c->radius + 0.5 * sqrt(c->d[0] * c->d[0] + c->d[1] * c->d[1] + c->d[2] * c->d[2]);
@@ -32,11 +24,11 @@ static int64_t bin_of(double x, double side) {
     return (int64_t)(bin < -most ? -most : bin > most ? most : bin);
 }
 
-static place place_of(const capsule *c, uint32_t index) {
+static grid_place place_of(const capsule *c, uint32_t index) {
     int32_t level = level_of(c);
     double side = bin_side(level);
-    return (place){level, index, bin_of(c->x[2] + 0.5 * c->d[2], side), bin_of(c->x[1] + 0.5 * c->d[1], side),
-                   c->x[0] + 0.5 * c->d[0]};
+    return (grid_place){level, index, bin_of(c->x[2] + 0.5 * c->d[2], side), bin_of(c->x[1] + 0.5 * c->d[1], side),
+                        c->x[0] + 0.5 * c->d[0]};
 }
 
 static int compare_bins(int32_t level_a, int64_t z_a, int64_t y_a, int32_t level_b, int64_t z_b, int64_t y_b) {
@@ -48,7 +40,7 @@ static int compare_bins(int32_t level_a, int64_t z_a, int64_t y_a, int32_t level
 }
 
 static int compare_places(const void *a, const void *b) {
-    const place *p = a, *q = b;
+    const grid_place *p = a, *q = b;
     int bins = compare_bins(p->level, p->z, p->y, q->level, q->z, q->y);
     if (bins)
         return bins;
@@ -57,14 +49,12 @@ static int compare_places(const void *a, const void *b) {
     return p->index < q->index ? -1 : p->index > q->index;
 }
 
-void grid_sort(const capsule *capsules, size_t n, uint32_t *order) {
-    place *places = alloc_zeroed(n, sizeof *places);
+void grid_sort(grid *g, const capsule *capsules, size_t n) {
+    g->n = n;
+    g->places = alloc_grow(g->places, &g->places_capacity, n, sizeof *g->places);
     for (size_t i = 0; i < n; i++)
-        places[i] = place_of(&capsules[i], (uint32_t)i);
-    qsort(places, n, sizeof *places, compare_places);
-    for (size_t i = 0; i < n; i++)
-        order[i] = places[i].index;
-    free(places);
+        g->places[i] = place_of(&capsules[i], (uint32_t)i);
+    qsort(g->places, n, sizeof *g->places, compare_places);
 }
 
 static grid_box box_of(const capsule *c, double reach, double skin) {
@@ -87,26 +77,25 @@ static void note_size(grid *g, int32_t level, const grid_box *box) {
         most[k] = box->half[k] > most[k] ? box->half[k] : most[k];
 }
 
-void grid_build(grid *g, const capsule *capsules, size_t n, double reach, double skin) {
-    memset(g, 0, sizeof *g);
-    g->n = n;
-    g->boxes = alloc_zeroed(n, sizeof *g->boxes);
-    g->rows = alloc_zeroed(n, sizeof *g->rows);
-    for (uint32_t i = 0; i < n; i++) {
+void grid_build(grid *g, const capsule *capsules, double reach, double skin) {
+    g->boxes = alloc_grow(g->boxes, &g->boxes_capacity, g->n, sizeof *g->boxes);
+    g->rows = alloc_grow(g->rows, &g->rows_capacity, g->n, sizeof *g->rows);
+    g->nrows = 0;
+    g->nlevels = 0;
+    for (uint32_t i = 0; i < g->n; i++) {
+        const grid_place *p = &g->places[i];
         g->boxes[i] = box_of(&capsules[i], reach, skin);
-        place p = place_of(&capsules[i], i);
-        note_size(g, p.level, &g->boxes[i]);
-        grid_row *next = &g->rows[g->nrows], *last = g->nrows ? next - 1 : next;
-        if (g->nrows && compare_bins(last->level, last->z, last->y, p.level, p.z, p.y) == 0) {
+        note_size(g, p->level, &g->boxes[i]);
+        grid_row *last = g->nrows ? &g->rows[g->nrows - 1] : NULL;
+        if (!last || compare_bins(last->level, last->z, last->y, p->level, p->z, p->y) != 0)
+            g->rows[g->nrows++] = (grid_row){p->level, p->z, p->y, i, i + 1};
+        else
             last->end = i + 1;
-        } else {
-            *next = (grid_row){p.level, p.z, p.y, i, i + 1};
-            g->nrows++;
-        }
     }
 }
 
 void grid_free(grid *g) {
+    free(g->places);
     free(g->boxes);
     free(g->rows);
     memset(g, 0, sizeof *g);
@@ -147,21 +136,19 @@ static bool meet(const grid_box *a, const grid_box *b) {
 
 typedef struct search {
     const grid *g;
-    size_t slot;
+    size_t slot, own_row;
     uint32_t **found;
     size_t *capacity, count;
 } search;
 
 static void search_row(search *s, const grid_row *row, double span) {
     const grid_box *own = &s->g->boxes[s->slot];
-    double end = own->centre[0] + span;
+    const double begin = own->centre[0] - span, end = own->centre[0] + span;
+    uint32_t first = row->begin > s->slot ? first_slot(s->g, row, begin) : (uint32_t)s->slot + 1;
     *s->found = alloc_grow(*s->found, s->capacity, s->count + (row->end - row->begin), sizeof **s->found);
-    for (uint32_t i = first_slot(s->g, row, own->centre[0] - span); i < row->end; i++) {
-        if (s->g->boxes[i].centre[0] > end)
-            break;
-        if (i != s->slot && meet(own, &s->g->boxes[i]))
+    for (uint32_t i = first; i < row->end && s->g->boxes[i].centre[0] <= end; i++)
+        if (meet(own, &s->g->boxes[i]))
             (*s->found)[s->count++] = i;
-    }
 }
 
 /* All rows of a level that bodies meeting the box may stand in. */
@@ -176,6 +163,7 @@ static void search_level(search *s, int32_t level, const double most[3]) {
         high[k] = bin_of(own->centre[k] + span[k], side);
     }
     size_t i = first_row(g, level, low[2], low[1]);
+    i = i > s->own_row ? i : s->own_row;
     while (i < g->nrows && g->rows[i].level == level && g->rows[i].z <= high[2]) {
         const grid_row *row = &g->rows[i];
         if (row->y < low[1])
@@ -190,8 +178,10 @@ static void search_level(search *s, int32_t level, const double most[3]) {
 }
 
 size_t grid_search(const grid *g, size_t slot, uint32_t **found, size_t *capacity) {
-    search s = {g, slot, found, capacity, 0};
+    const grid_place *p = &g->places[slot];
+    search s = {g, slot, first_row(g, p->level, p->z, p->y), found, capacity, 0};
     for (int l = 0; l < g->nlevels; l++)
-        search_level(&s, g->levels[l], g->most[l]);
+        if (g->levels[l] >= p->level) /* lower levels stand below */
+            search_level(&s, g->levels[l], g->most[l]);
     return s.count;
 }

@@ -23,23 +23,32 @@ typedef struct grid_row {
 
 enum { GRID_LEVELS_MAX = 64 };
 
+/* Where a capsule is sorted. */
+typedef struct grid_place {
+    int32_t level;
+    uint32_t index; /* of the capsule as it was given */
+    int64_t z, y;
+    double x;
+} grid_place;
+
 typedef struct grid {
-    grid_box *boxes; /* (n), by slot */
-    grid_row *rows;  /* (nrows), sorted */
-    size_t n, nrows;
+    grid_place *places; /* (n), sorted */
+    grid_box *boxes;    /* (n), in that order */
+    grid_row *rows;     /* (nrows), sorted */
+    size_t n, nrows, places_capacity, boxes_capacity, rows_capacity;
     double most[GRID_LEVELS_MAX][3]; /* largest half sides of each level */
     int32_t levels[GRID_LEVELS_MAX]; /* the levels present */
     int nlevels;
 } grid;
 
-/* Puts n capsules into the grid's order: order (n) gets their indices. */
-void grid_sort(const capsule *capsules, size_t n, uint32_t *order);
+/* Sorts n capsules into places; slots are positions in that order from here on. Memory is kept from build to build. */
+void grid_sort(grid *g, const capsule *capsules, size_t n);
 
-/* Grid over capsules that stand in grid_sort's order, for pairs nearer than reach (r_A + r_B) + skin. */
-void grid_build(grid *g, const capsule *capsules, size_t n, double reach, double skin);
+/* Boxes and rows over the same capsules, now in the grid's order, for pairs nearer than reach (r_A + r_B) + skin. */
+void grid_build(grid *g, const capsule *capsules, double reach, double skin);
 void grid_free(grid *g);
 
-/* Slots whose boxes meet that of slot, itself left out; found is grown as needed. Returns how many. */
+/* Slots above this one whose boxes meet its own; found is grown as needed. Returns how many. */
 size_t grid_search(const grid *g, size_t slot, uint32_t **found, size_t *capacity);
 
 #endif

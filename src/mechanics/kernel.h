@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-enum { KERNEL_BATCH = 128 }; /* pairs at once: the arrays below stay in the first-level cache */
+enum { KERNEL_LANES = 8, KERNEL_BATCH = 128 }; /* pairs at once: the arrays below stay in the first-level cache */
 
 /* Pairs as a structure of arrays: in, and out. A is the body of lower id. */
 typedef struct kernel_batch {
@@ -29,6 +29,8 @@ typedef struct contact_kernel {
     size_t (*contact)(const contact_law_values *law, size_t n, kernel_batch *b);
     /* The same for cocci only (d1 = d2 = 0, not read). */
     size_t (*sphere)(const contact_law_values *law, size_t n, kernel_batch *b);
+    /* y = exp(x), n a multiple of KERNEL_LANES; SLEEF's deterministic one, the same bits in every width. */
+    void (*exponential)(size_t n, const double *x, double *y);
 } contact_kernel;
 
 /* The widest kernel of this processor; the one called name, NULL where the program or the processor lacks it. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The loops of the batched kernels, included by one small file a vector width. KERNEL_NAME is the width's suffix. */
+/* The loops of the batched kernels, included by one small file a vector width, which defines KERNEL_NAME, the width's
+ * suffix, and KERNEL_EXP(x, y), SLEEF's exponential of KERNEL_EXP_LANES numbers. */
 #include "mechanics/kernel.h"
 
 #define KERNEL_JOIN_(a, b) a##b
@@ -45,7 +46,12 @@ static size_t sphere(const contact_law_values *law, size_t n, kernel_batch *b) {
     return count_coincident(n, b);
 }
 
+static void exponential(size_t n, const double *x, double *y) {
+    for (size_t i = 0; i < n; i += KERNEL_EXP_LANES)
+        KERNEL_EXP(x + i, y + i);
+}
+
 extern const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME);
 #define KERNEL_TEXT_(a) #a
 #define KERNEL_TEXT(a) KERNEL_TEXT_(a)
-const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME) = {KERNEL_TEXT(KERNEL_NAME), contact, sphere};
+const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME) = {KERNEL_TEXT(KERNEL_NAME), contact, sphere, exponential};

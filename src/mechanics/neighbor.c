@@ -2,7 +2,6 @@
 #include "mechanics/neighbor.h"
 
 #include "base/alloc.h"
-#include "mechanics/grid.h"
 
 #include <omp.h>
 #include <stdlib.h>
@@ -16,11 +15,15 @@ void neighbor_free(neighbor *list) {
     free(list->start);
     free(list->middle);
     free(list->by_id);
+    grid_free(&list->grid);
     memset(list, 0, sizeof *list);
 }
 
-void neighbor_sort(const capsule *capsules, size_t n, uint32_t *order) {
-    grid_sort(capsules, n, order);
+void neighbor_sort(neighbor *list, const capsule *capsules, size_t n, uint32_t *order) {
+    list->n = n;
+    grid_sort(&list->grid, capsules, n);
+    for (size_t i = 0; i < n; i++)
+        order[i] = list->grid.places[i].index;
 }
 
 size_t neighbor_entries(const neighbor *list) {
@@ -29,52 +32,87 @@ size_t neighbor_entries(const neighbor *list) {
     return list->start ? list->start[list->n] : 0;
 }
 
-/* What one thread gathers: the rows of a stretch of slots, one after another. */
+/* What one thread gathers: for a stretch of slots, the partners above each that are near enough. */
 typedef struct gatherer {
     const grid *g;
-    const body *bodies;
     const capsule *capsules;
     const contact_kernel *kernel;
     contact_law_values law; /* the published one: distances between axes */
     double skin;
-    uint32_t *found; /* slots whose boxes meet */
-    uint64_t *keys;  /* rank << 32 | slot of those near enough */
-    uint32_t *entries;
-    size_t found_capacity, keys_capacity, entries_capacity, count;
+    uint32_t *found;             /* slots whose boxes meet */
+    uint32_t *owners, *partners; /* pairs, by owner */
+    size_t found_capacity, owners_capacity, partners_capacity, count;
+    size_t nbatch; /* candidates that wait in the batch */
+    uint32_t batch_owner[KERNEL_BATCH], batch_partner[KERNEL_BATCH];
+    kernel_batch batch;
 } gatherer;
 
-static void load_candidates(gatherer *w, size_t slot, const uint32_t *found, size_t n, kernel_batch *b) {
-    const capsule *own = &w->capsules[slot];
-    for (size_t i = 0; i < n; i++) {
-        const capsule *other = &w->capsules[found[i]];
-        for (int k = 0; k < 3; k++) {
-            b->r[k][i] = own->x[k] - other->x[k];
-            b->d1[k][i] = own->d[k];
-            b->d2[k][i] = other->d[k];
-        }
-        b->radii[i] = own->radius + other->radius;
-        b->rests[i] = 0;
+/* Keeps those of the batch whose segments are near enough. */
+static void filter(gatherer *w) {
+    kernel_batch *b = &w->batch;
+    w->kernel->contact(&w->law, w->nbatch, b);
+    w->owners = alloc_grow(w->owners, &w->owners_capacity, w->count + w->nbatch, sizeof *w->owners);
+    w->partners = alloc_grow(w->partners, &w->partners_capacity, w->count + w->nbatch, sizeof *w->partners);
+    for (size_t i = 0; i < w->nbatch; i++) {
+        double limit = w->law.reach * b->radii[i] + w->skin;
+        w->owners[w->count] = w->batch_owner[i];
+        w->partners[w->count] = w->batch_partner[i];
+        w->count += b->square[i] <= limit * limit;
     }
+    w->nbatch = 0;
 }
 
-/* Of the found slots, the keys of those whose segments are near enough. */
-static size_t filter(gatherer *w, size_t slot, size_t nfound) {
-    kernel_batch b;
-    size_t kept = 0;
-    w->keys = alloc_grow(w->keys, &w->keys_capacity, nfound, sizeof *w->keys);
-    for (size_t at = 0; at < nfound; at += KERNEL_BATCH) {
-        size_t n = nfound - at < KERNEL_BATCH ? nfound - at : KERNEL_BATCH;
-        load_candidates(w, slot, w->found + at, n, &b);
-        w->kernel->contact(&w->law, n, &b);
-        for (size_t i = 0; i < n; i++) {
-            double limit = w->law.reach * b.radii[i] + w->skin;
-            if (b.square[i] > limit * limit)
-                continue;
-            uint32_t other = w->found[at + i];
-            w->keys[kept++] = (uint64_t)w->bodies[other].rank << 32 | other;
-        }
+static void load_candidate(gatherer *w, uint32_t slot, uint32_t partner) {
+    if (w->nbatch == KERNEL_BATCH)
+        filter(w);
+    const capsule *own = &w->capsules[slot], *other = &w->capsules[partner];
+    kernel_batch *b = &w->batch;
+    size_t i = w->nbatch++;
+    for (int k = 0; k < 3; k++) {
+        b->r[k][i] = own->x[k] - other->x[k];
+        b->d1[k][i] = own->d[k];
+        b->d2[k][i] = other->d[k];
     }
-    return kept;
+    b->radii[i] = own->radius + other->radius;
+    b->rests[i] = 0;
+    w->batch_owner[i] = slot;
+    w->batch_partner[i] = partner;
+}
+
+static void gather(gatherer *w, size_t begin, size_t end) {
+    for (size_t slot = begin; slot < end; slot++) {
+        size_t nfound = grid_search(w->g, slot, &w->found, &w->found_capacity);
+        for (size_t i = 0; i < nfound; i++)
+            load_candidate(w, (uint32_t)slot, w->found[i]);
+    }
+    filter(w);
+}
+
+static void free_gatherer(gatherer *w) {
+    free(w->found);
+    free(w->owners);
+    free(w->partners);
+}
+
+/* Enters every pair into the rows of both its bodies. */
+static void enter_pairs(neighbor *list, const gatherer *parts, int nparts) {
+    size_t n = list->n, *start = list->start;
+    memset(start, 0, (n + 2) * sizeof *start);
+    for (int p = 0; p < nparts; p++)
+        for (size_t i = 0; i < parts[p].count; i++) {
+            start[parts[p].owners[i] + 2]++;
+            start[parts[p].partners[i] + 2]++;
+        }
+    for (size_t i = 0; i < n; i++)
+        start[i + 2] += start[i + 1];
+    list->entries = alloc_grow(list->entries, &list->entries_capacity, start[n + 1], sizeof *list->entries);
+    /* filling moves each start to where the next row begins */
+    for (int p = 0; p < nparts; p++)
+        for (size_t i = 0; i < parts[p].count; i++) {
+            uint32_t a = parts[p].owners[i], b = parts[p].partners[i];
+            list->entries[start[a + 1]++] = b;
+            list->entries[start[b + 1]++] = a;
+        }
 }
 
 static int compare_keys(const void *a, const void *b) {
@@ -97,81 +135,60 @@ static void sort_keys(uint64_t *keys, size_t n) {
     }
 }
 
-/* Appends the row of a slot; returns how many of its partners have a lower id. */
-static uint32_t gather_row(gatherer *w, size_t slot) {
-    size_t n = filter(w, slot, grid_search(w->g, slot, &w->found, &w->found_capacity));
-    sort_keys(w->keys, n);
-    w->entries = alloc_grow(w->entries, &w->entries_capacity, w->count + n, sizeof *w->entries);
-    uint32_t lower = 0;
-    for (size_t i = 0; i < n; i++) {
-        w->entries[w->count++] = (uint32_t)w->keys[i];
-        lower += w->keys[i] >> 32 < w->bodies[slot].rank;
-    }
-    return lower;
-}
-
-static void gather(gatherer *w, neighbor *list, size_t begin, size_t end) {
+/* Puts rows into the order of the partners' ids. */
+static void sort_rows(neighbor *list, const body *bodies, size_t begin, size_t end) {
+    uint64_t *keys = NULL;
+    size_t capacity = 0;
     for (size_t slot = begin; slot < end; slot++) {
-        size_t before = w->count;
-        list->middle[slot] = gather_row(w, slot);
-        list->start[slot + 1] = w->count - before;
+        uint32_t *row = list->entries + list->start[slot], lower = 0;
+        size_t n = list->start[slot + 1] - list->start[slot];
+        keys = alloc_grow(keys, &capacity, n, sizeof *keys);
+        for (size_t i = 0; i < n; i++) {
+            keys[i] = (uint64_t)bodies[row[i]].rank << 32 | row[i];
+            lower += bodies[row[i]].rank < bodies[slot].rank;
+        }
+        sort_keys(keys, n);
+        for (size_t i = 0; i < n; i++)
+            row[i] = (uint32_t)keys[i];
+        list->middle[slot] = lower;
     }
+    free(keys);
 }
 
-static void free_gatherer(gatherer *w) {
-    free(w->found);
-    free(w->keys);
-    free(w->entries);
+static void reserve(neighbor *list) {
+    if (list->n + 2 <= list->n_capacity)
+        return;
+    list->n_capacity = list->n + 2 + list->n / 2;
+    list->start = alloc_resize(list->start, list->n_capacity, sizeof *list->start);
+    list->middle = alloc_resize(list->middle, list->n_capacity, sizeof *list->middle);
+    list->by_id = alloc_resize(list->by_id, list->n_capacity, sizeof *list->by_id);
 }
 
-/* Joins the threads' stretches; start holds the rows' lengths so far. */
-static void join(neighbor *list, const gatherer *parts, int nparts) {
-    list->start[0] = 0;
-    for (size_t i = 0; i < list->n; i++)
-        list->start[i + 1] += list->start[i];
-    size_t total = list->start[list->n], at = 0;
-    list->entries = alloc_grow(list->entries, &list->entries_capacity, total, sizeof *list->entries);
-    for (int p = 0; p < nparts; p++) {
-        if (parts[p].count)
-            memcpy(list->entries + at, parts[p].entries, parts[p].count * sizeof *list->entries);
-        at += parts[p].count;
-    }
-}
-
-static void reserve(neighbor *list, size_t n) {
-    if (n + 1 > list->n_capacity) {
-        list->n_capacity = n + 1 + n / 2;
-        list->start = alloc_resize(list->start, list->n_capacity, sizeof *list->start);
-        list->middle = alloc_resize(list->middle, list->n_capacity, sizeof *list->middle);
-        list->by_id = alloc_resize(list->by_id, list->n_capacity, sizeof *list->by_id);
-    }
-    list->n = n;
-}
-
-void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules, size_t n, double reach, int threads,
+void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules, double reach, int threads,
                     const contact_kernel *kernel) {
-    reserve(list, n);
-    for (size_t i = 0; i < n; i++)
+    reserve(list);
+    for (size_t i = 0; i < list->n; i++)
         list->by_id[bodies[i].rank] = (uint32_t)i;
     if (list->method == NEIGHBOR_PAIRS)
         return;
-    grid g;
-    grid_build(&g, capsules, n, reach, list->skin + slack);
-    gatherer start = {.g = &g,
-                      .bodies = bodies,
-                      .capsules = capsules,
-                      .kernel = kernel,
-                      .law = {1, reach, 0},
-                      .skin = list->skin + slack};
-    gatherer *parts = alloc_zeroed((size_t)threads, sizeof *parts);
+    grid_build(&list->grid, capsules, reach, list->skin + slack);
+    gatherer *parts = alloc_aligned((size_t)threads, sizeof *parts, _Alignof(gatherer));
+    memset(parts, 0, (size_t)threads * sizeof *parts);
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
     for (int p = 0; p < threads; p++) {
-        parts[p] = start;
-        gather(&parts[p], list, n * (size_t)p / (size_t)threads, n * ((size_t)p + 1) / (size_t)threads);
+        gatherer *w = &parts[p];
+        w->g = &list->grid;
+        w->capsules = capsules;
+        w->kernel = kernel;
+        w->law = (contact_law_values){1, reach, 0};
+        w->skin = list->skin + slack;
+        gather(w, list->n * (size_t)p / (size_t)threads, list->n * ((size_t)p + 1) / (size_t)threads);
     }
-    join(list, parts, threads);
+    enter_pairs(list, parts, threads);
+#pragma omp parallel for num_threads(threads) schedule(static, 1)
+    for (int p = 0; p < threads; p++)
+        sort_rows(list, bodies, list->n * (size_t)p / (size_t)threads, list->n * ((size_t)p + 1) / (size_t)threads);
     for (int p = 0; p < threads; p++)
         free_gatherer(&parts[p]);
     free(parts);
-    grid_free(&g);
 }

@@ -6,6 +6,7 @@
 #define SARCINA_MECHANICS_NEIGHBOR_H
 
 #include "mechanics/body.h"
+#include "mechanics/grid.h"
 #include "mechanics/kernel.h"
 #include "mechanics/mechanics.h"
 
@@ -24,16 +25,17 @@ typedef struct neighbor {
     uint32_t *middle;  /* entries of lower id in a row (n) */
     uint32_t *by_id;   /* slots in the order of ids (n): the rows of the all-pairs method */
     size_t entries_capacity, n_capacity;
+    grid grid;
 } neighbor;
 
 void neighbor_free(neighbor *list);
 
 /* Puts n bodies into an order in which those near in space are near in memory: order (n) gets their indices. */
-void neighbor_sort(const capsule *capsules, size_t n, uint32_t *order);
+void neighbor_sort(neighbor *list, const capsule *capsules, size_t n, uint32_t *order);
 
-/* Builds the rows for all pairs whose segments are nearer than reach (r_A + r_B) + skin. The bodies must stand in the
- * order that neighbor_sort gave for these capsules. */
-void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules, size_t n, double reach, int threads,
+/* Builds the rows for all pairs whose segments are nearer than reach (r_A + r_B) + skin. The bodies and capsules (n)
+ * stand in the order that the last neighbor_sort gave. */
+void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules, double reach, int threads,
                     const contact_kernel *kernel);
 
 /* Total entries of all rows. */

@@ -36,6 +36,7 @@ struct mechanics {
     double reach;     /* pairs within reach (r_A + r_B) may touch */
     double skin;      /* um */
     bool wants_pairs; /* a term reads the neighbour list */
+    bool cocci;       /* no body has more than one particle */
 
     /* computed by evaluations */
     capsule *capsules; /* (nbodies), by slot */

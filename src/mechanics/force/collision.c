@@ -12,39 +12,55 @@
 #include "base/rng.h"
 
 #include <stdbool.h>
-#include <string.h>
 
 static contact_law_values law_of(const double *p) {
     bool regularised = (contact_law)p[COLLISION_CONTACT] == CONTACT_REGULARISED;
     return (contact_law_values){p[COLLISION_K], p[COLLISION_REACH], regularised ? p[COLLISION_EPSILON] : 0};
 }
 
-/* Consecutive pairs of one owner in a batch: partners all of lower, or all of higher id. */
+/* Consecutive pairs of one owner in a batch: its partners all of lower, or all of higher id. */
 typedef struct stretch {
     uint32_t owner, begin, end;
     bool owner_is_a;
+    bool opens, closes; /* do the partners begin, and end, in this batch? */
+    const uint32_t *partners;
 } stretch;
 
-/* Pairs of several owners, computed when the batch is full. A row may be spread over batches: each adds on. */
+/* What partners do to an owner: the sum of forces, and of the parts that its last particle bears. */
+typedef struct load_sum {
+    double total[3], last[3];
+} load_sum;
+
+/* Pairs of several owners, computed when the batch is full. Where an owner's partners are spread over batches, the sum
+ * so far is carried on: how pairs fall into batches changes no bit. */
 typedef struct stream {
     const force_frame *at;
-    const double *p;
     double *f;
     contact_law_values law;
     size_t npairs, nstretches;
+    load_sum carry;
     stretch stretches[KERNEL_BATCH];
-    uint32_t partner[KERNEL_BATCH];
     kernel_batch batch;
 } stream;
 
-static void load(kernel_batch *b, size_t i, const capsule *first, const capsule *second) {
-    for (int k = 0; k < 3; k++) {
-        b->r[k][i] = first->x[k] - second->x[k];
-        b->d1[k][i] = first->d[k];
-        b->d2[k][i] = second->d[k];
+/* Pairs of an owner with n partners, as A or as B, into a batch. */
+static void load(kernel_batch *b, size_t at, const capsule *capsules, const capsule *own, const stretch *run) {
+    double(*mine)[KERNEL_BATCH] = run->owner_is_a ? b->d1 : b->d2;
+    double(*theirs)[KERNEL_BATCH] = run->owner_is_a ? b->d2 : b->d1;
+    const double sign = run->owner_is_a ? 1 : -1;
+    const size_t n = run->end - run->begin;
+    for (int k = 0; k < 3; k++)
+        for (size_t i = 0; i < n; i++)
+            mine[k][at + i] = own->d[k];
+    for (size_t i = 0; i < n; i++) {
+        const capsule *other = &capsules[run->partners[i]];
+        for (int k = 0; k < 3; k++) {
+            b->r[k][at + i] = sign * (own->x[k] - other->x[k]);
+            theirs[k][at + i] = other->d[k];
+        }
+        b->radii[at + i] = own->radius + other->radius;
+        b->rests[at + i] = own->rest * other->rest;
     }
-    b->radii[i] = first->radius + second->radius;
-    b->rests[i] = first->rest * second->rest;
 }
 
 /* Contacts with coincident axes: the full force along the pair's own random direction. */
@@ -53,7 +69,7 @@ static void push_coincident(stream *s, const stretch *run) {
     for (uint32_t i = run->begin; i < run->end; i++) {
         if (b->square[i] >= CONTACT_COINCIDENT * CONTACT_COINCIDENT || b->overlap[i] == 0)
             continue;
-        uint64_t own = s->at->bodies[run->owner].id, other = s->at->bodies[s->partner[i]].id;
+        uint64_t own = s->at->bodies[run->owner].id, other = s->at->bodies[run->partners[i - run->begin]].id;
         double u[3];
         rng_direction(s->at->seed, run->owner_is_a ? own : other, run->owner_is_a ? other : own, u);
         for (int k = 0; k < 3; k++)
@@ -61,62 +77,68 @@ static void push_coincident(stream *s, const stretch *run) {
     }
 }
 
-/* Adds a stretch's forces to its owner, in the order of the partners' ids. */
-static void sum_stretch(const stream *s, const stretch *run) {
-    const kernel_batch *b = &s->batch;
-    const body *owner = &s->at->bodies[run->owner];
+/* Sums a stretch in the order of the partners' ids. */
+static load_sum sum_stretch(const kernel_batch *b, const stretch *run, load_sum sum) {
     const double *place = run->owner_is_a ? b->s : b->t;
-    double sign = run->owner_is_a ? 1 : -1;
-    double *f = s->f + 3 * (size_t)owner->first, first[3], last[3] = {0};
-    size_t far = 3 * (size_t)(owner->count - 1);
-    memcpy(first, f, sizeof first);
-    if (far)
-        memcpy(last, f + far, sizeof last);
     for (uint32_t i = run->begin; i < run->end; i++)
         for (int k = 0; k < 3; k++) {
-            double force = sign * b->force[k][i], at_last = place[i] * force;
-            last[k] += at_last;
-            first[k] += force - at_last;
+            sum.total[k] += b->force[k][i];
+            sum.last[k] += place[i] * b->force[k][i];
         }
-    memcpy(f, first, sizeof first);
-    if (far)
-        memcpy(f + far, last, sizeof last);
+    return sum;
+}
+
+static void apply(const body *owner, bool owner_is_a, const load_sum *sum, double *f) {
+    const double sign = owner_is_a ? 1 : -1;
+    double *first = f + 3 * (size_t)owner->first;
+    if (owner->count == 1) {
+        for (int k = 0; k < 3; k++)
+            first[k] += sign * sum->total[k];
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        first[k] += sign * (sum->total[k] - sum->last[k]);
+        first[k + 3] += sign * sum->last[k];
+    }
 }
 
 static void flush(stream *s) {
-    size_t coincident = s->at->kernel->contact(&s->law, s->npairs, &s->batch);
+    const contact_kernel *kernel = s->at->kernel;
+    size_t coincident = (s->at->cocci ? kernel->sphere : kernel->contact)(&s->law, s->npairs, &s->batch);
     for (size_t i = 0; i < s->nstretches; i++) {
+        const stretch *run = &s->stretches[i];
         if (coincident)
-            push_coincident(s, &s->stretches[i]);
-        sum_stretch(s, &s->stretches[i]);
+            push_coincident(s, run);
+        load_sum sum = sum_stretch(&s->batch, run, run->opens ? (load_sum){0} : s->carry);
+        if (run->closes)
+            apply(&s->at->bodies[run->owner], run->owner_is_a, &sum, s->f);
+        else
+            s->carry = sum;
     }
     s->npairs = s->nstretches = 0;
 }
 
 /* Appends an owner's pairs with these partners. */
 static void push(stream *s, size_t owner, const uint32_t *partners, size_t n, bool owner_is_a) {
-    const capsule *capsules = s->at->capsules, *own = &capsules[owner];
+    bool opens = true;
     while (n) {
-        if (s->npairs == KERNEL_BATCH || s->nstretches == KERNEL_BATCH)
+        if (s->npairs == KERNEL_BATCH)
             flush(s);
         size_t room = KERNEL_BATCH - s->npairs, count = n < room ? n : room, at = s->npairs;
-        s->stretches[s->nstretches++] = (stretch){(uint32_t)owner, (uint32_t)at, (uint32_t)(at + count), owner_is_a};
-        memcpy(s->partner + at, partners, count * sizeof *partners);
-        for (size_t i = 0; i < count; i++)
-            if (owner_is_a)
-                load(&s->batch, at + i, own, &capsules[partners[i]]);
-            else
-                load(&s->batch, at + i, &capsules[partners[i]], own);
+        stretch *run = &s->stretches[s->nstretches++];
+        *run =
+            (stretch){(uint32_t)owner, (uint32_t)at, (uint32_t)(at + count), owner_is_a, opens, count == n, partners};
+        load(&s->batch, at, s->at->capsules, &s->at->capsules[owner], run);
         s->npairs += count;
         partners += count;
         n -= count;
+        opens = false;
     }
 }
 
 static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
     stream s;
     s.at = at;
-    s.p = p;
     s.f = f;
     s.law = law_of(p);
     s.npairs = s.nstretches = 0;

@@ -6,6 +6,7 @@
  * C_ES: electrostatic coefficient (energy), C_vdW: Hamaker constant times r/6 (energy x length), kappa: inverse Debye
  * length. Source: Storck et al. 2014, "DLVO". */
 #include "mechanics/force/forces.h"
+#include "mechanics/kernel.h"
 
 #include <math.h>
 #include <sleef.h>
@@ -28,12 +29,40 @@ static double force(const double *p, double d) {
     return p[DLVO_KAPPA] * repulsion(p, d) - p[DLVO_CVDW] / (d * d);
 }
 
-static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
-    for (size_t slot = begin; slot < end; slot++) {
-        const body *b = &at->bodies[slot];
-        for (uint32_t i = b->first; i < b->first + b->count; i++)
-            f[3 * (size_t)i + 2] += force(p, held(p, gap(at, b, i)));
+/* Particles of a few bodies at once: the exponential comes by the vector. */
+typedef struct batch {
+    size_t n;
+    uint32_t particle[KERNEL_BATCH];
+    double gap[KERNEL_BATCH], exponent[KERNEL_BATCH], power[KERNEL_BATCH];
+} batch;
+
+static void flush(const double *p, const force_frame *at, batch *b, double *f) {
+    size_t padded = (b->n + KERNEL_LANES - 1) / KERNEL_LANES * KERNEL_LANES;
+    for (size_t i = 0; i < b->n; i++)
+        b->exponent[i] = -p[DLVO_KAPPA] * b->gap[i];
+    for (size_t i = b->n; i < padded; i++)
+        b->exponent[i] = 0;
+    at->kernel->exponential(padded, b->exponent, b->power);
+    for (size_t i = 0; i < b->n; i++) {
+        double d = b->gap[i], force_z = p[DLVO_KAPPA] * (p[DLVO_CES] * b->power[i]) - p[DLVO_CVDW] / (d * d);
+        f[3 * (size_t)b->particle[i] + 2] += force_z;
     }
+    b->n = 0;
+}
+
+static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+    batch b;
+    b.n = 0;
+    for (size_t slot = begin; slot < end; slot++) {
+        const body *owner = &at->bodies[slot];
+        for (uint32_t i = owner->first; i < owner->first + owner->count; i++) {
+            if (b.n == KERNEL_BATCH)
+                flush(p, at, &b, f);
+            b.particle[b.n] = i;
+            b.gap[b.n++] = held(p, gap(at, owner, i));
+        }
+    }
+    flush(p, at, &b, f);
 }
 
 static double energy(const double *p, const force_frame *at, size_t slot) {

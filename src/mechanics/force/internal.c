@@ -3,14 +3,22 @@
  * rest length, which its mass sets. A rod of length zero takes a seeded direction.
  * Source: Storck et al. 2014, "Primary structure". */
 #include "mechanics/force/forces.h"
+#include "base/rng.h"
+#include "base/vec3.h"
 #include "mechanics/spring.h"
 
-/* Tension (k times stretch) of a rod, and its direction from its first particle. */
-static double tension(const force_frame *at, const body *b, double u[3]) {
+#include <math.h>
+
+/* A rod's spring: tension (k times stretch) over length, and the vector of that length from its first particle. */
+static double pull(const force_frame *at, const body *b, double d[3]) {
     const double *x = at->x + 3 * (size_t)b->first;
-    double length =
-        spring_direction(x, x + 3, at->seed, body_particle_key(b, b->first), body_particle_key(b, b->first + 1), u);
-    return b->internal_k * (length - b->rest);
+    for (int i = 0; i < 3; i++)
+        d[i] = x[i + 3] - x[i];
+    double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    if (length > 0)
+        return b->internal_k * (length - b->rest) / length;
+    rng_direction(at->seed, body_particle_key(b, b->first), body_particle_key(b, b->first + 1), d);
+    return -b->internal_k * b->rest;
 }
 
 static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
@@ -19,10 +27,10 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
         const body *b = &at->bodies[slot];
         if (b->count != 2 || b->internal_k == 0)
             continue;
-        double u[3], pull = tension(at, b, u), *out = f + 3 * (size_t)b->first;
+        double d[3], factor = pull(at, b, d), *out = f + 3 * (size_t)b->first;
         for (int i = 0; i < 3; i++) {
-            out[i] += pull * u[i];
-            out[i + 3] -= pull * u[i];
+            out[i] += factor * d[i];
+            out[i + 3] -= factor * d[i];
         }
     }
 }
@@ -32,8 +40,9 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
     const body *b = &at->bodies[slot];
     if (b->count != 2 || b->internal_k == 0)
         return 0;
-    double u[3], pull = tension(at, b, u);
-    return 0.5 * pull * pull / b->internal_k;
+    const double *x = at->x + 3 * (size_t)b->first;
+    double stretch = vec3_norm(vec3_sub(vec3_load(x + 3), vec3_load(x))) - b->rest;
+    return 0.5 * b->internal_k * stretch * stretch;
 }
 
 static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
@@ -43,7 +52,9 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
         return;
     stiff_spring *s = force_spring_add(out);
     *s = (stiff_spring){{b->first, b->first + 1}, {1, -1}, {0}, b->internal_k, 2};
-    tension(at, b, s->direction);
+    const double *x = at->x + 3 * (size_t)b->first;
+    spring_direction(x, x + 3, at->seed, body_particle_key(b, b->first), body_particle_key(b, b->first + 1),
+                     s->direction);
 }
 
 /* Has a cell a link of its own, such as a spring listed between its ends? */

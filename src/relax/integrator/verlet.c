@@ -31,8 +31,8 @@ typedef struct splitting {
     double h;       /* the step: divides the time left evenly */
     uint64_t left;  /* steps left of it */
     int since_look, since_refusal;
-    double damped_for; /* the step that decay holds for */
-    double *decay;     /* exp(-k_d h/m) (n / 3) */
+    double factors_for;   /* the step that the factors hold for */
+    double *kick, *decay; /* h / (2 m) and exp(-k_d h/m), for each component (n) */
     double *force, *trial_force, *x, *v, *mode, *memory;
 } splitting;
 
@@ -42,13 +42,14 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     self->fixed = how->step;
     self->most = how->most;
     self->n = 3 * mo->n;
-    self->memory = alloc_zeroed(6 * self->n, sizeof *self->memory);
+    self->memory = alloc_zeroed(7 * self->n, sizeof *self->memory);
     self->force = self->memory;
     self->trial_force = self->force + self->n;
     self->x = self->trial_force + self->n;
     self->v = self->x + self->n;
     self->mode = self->v + self->n;
     self->decay = self->mode + self->n;
+    self->kick = self->decay + self->n;
     self->shorter = 1;
     return self;
 }
@@ -89,63 +90,64 @@ static void look(splitting *self, motion *mo, double t1) {
     plan(self, mo, t1);
 }
 
-/* decay = exp(-k_d h/m) */
-static void prepare_decay(splitting *self, const motion *mo) {
-    if (self->damped_for == self->h)
+static void prepare_factors(splitting *self, const motion *mo) {
+    if (self->factors_for == self->h)
         return;
     const double *mass = mechanics_mass(mo->m);
     double drag = mechanics_drag(mo->m);
-    for (size_t p = 0; p < mo->n; p++)
-        self->decay[p] = Sleef_cinz_expd1_u10purec(-drag * self->h / mass[p]);
-    self->damped_for = self->h;
+    for (size_t p = 0; p < mo->n; p++) {
+        double decay = Sleef_cinz_expd1_u10purec(-drag * self->h / mass[p]), kick = 0.5 * self->h / mass[p];
+        for (size_t i = 3 * p; i < 3 * p + 3; i++) {
+            self->decay[i] = decay;
+            self->kick[i] = kick;
+        }
+    }
+    self->factors_for = self->h;
 }
 
 /* Is the trial state finite, with no particle moved by more than a quarter of its radius? */
 static bool is_sane(const splitting *self, const motion *mo) {
     const double *radius = mechanics_radius(mo->m);
-    bool sane = true;
+    size_t far = 0;
     for (size_t p = 0; p < mo->n; p++) {
-        double d[3], limit = 0.25 * radius[p];
-        for (size_t k = 0; k < 3; k++)
-            d[k] = self->x[3 * p + k] - mo->x[3 * p + k];
-        sane = sane && d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= limit * limit;
+        const double *x = self->x + 3 * p, *x0 = mo->x + 3 * p, limit = 0.25 * radius[p];
+        double d[3] = {x[0] - x0[0], x[1] - x0[1], x[2] - x0[2]};
+        far += d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= limit * limit ? 0 : 1;
     }
-    return sane;
+    return far == 0;
 }
 
 static bool has_finite_force(const splitting *self) {
-    bool finite = true;
+    size_t lost = 0;
     for (size_t i = 0; i < self->n; i++)
-        finite = finite && isfinite(self->trial_force[i]) && isfinite(self->v[i]);
-    return finite;
+        lost += fabs(self->trial_force[i]) < HUGE_VAL && fabs(self->v[i]) < HUGE_VAL ? 0 : 1;
+    return lost == 0;
 }
 
 /* One trial of velocity Verlet; false: refused. */
 static bool try_verlet(splitting *self, motion *mo) {
-    const double *mass = mechanics_mass(mo->m), half = 0.5 * self->h;
-    for (size_t p = 0; p < mo->n; p++)
-        for (size_t i = 3 * p; i < 3 * p + 3; i++) {
-            double kicked = mo->v[i] + half * self->force[i] / mass[p], damped = kicked * self->decay[p];
-            self->x[i] = mo->x[i] + half * kicked + half * damped;
-            self->v[i] = damped;
-        }
+    const double half = 0.5 * self->h, *restrict kick = self->kick, *restrict decay = self->decay;
+    const double *restrict x0 = mo->x, *restrict v0 = mo->v, *restrict f0 = self->force;
+    double *restrict x = self->x, *restrict v = self->v, *restrict f = self->trial_force;
+    for (size_t i = 0; i < self->n; i++) {
+        double kicked = v0[i] + kick[i] * f0[i], damped = kicked * decay[i];
+        x[i] = x0[i] + half * kicked + half * damped;
+        v[i] = damped;
+    }
     if (!is_sane(self, mo))
         return false;
     motion_force(mo, self->x, self->trial_force);
-    for (size_t p = 0; p < mo->n; p++)
-        for (size_t i = 3 * p; i < 3 * p + 3; i++)
-            self->v[i] += half * self->trial_force[i] / mass[p];
+    for (size_t i = 0; i < self->n; i++)
+        v[i] += kick[i] * f[i];
     return has_finite_force(self);
 }
 
 /* One trial of semi-implicit Euler; false: refused. */
 static bool try_euler(splitting *self, motion *mo) {
-    const double *mass = mechanics_mass(mo->m);
-    for (size_t p = 0; p < mo->n; p++)
-        for (size_t i = 3 * p; i < 3 * p + 3; i++) {
-            self->v[i] = (mo->v[i] + self->h * self->force[i] / mass[p]) * self->decay[p];
-            self->x[i] = mo->x[i] + self->h * self->v[i];
-        }
+    for (size_t i = 0; i < self->n; i++) {
+        self->v[i] = (mo->v[i] + 2 * self->kick[i] * self->force[i]) * self->decay[i];
+        self->x[i] = mo->x[i] + self->h * self->v[i];
+    }
     if (!is_sane(self, mo))
         return false;
     motion_force(mo, self->x, self->trial_force);
@@ -187,7 +189,7 @@ static int step(splitting *self, motion *mo, double t1, bool (*attempt)(splittin
         bool possible = self->fixed > 0 || self->h >= least_step || self->left == 1;
         if (!possible || !isfinite(self->h))
             return motion_fail(mo, motion_worst(mo, self->mode), least_step, d);
-        prepare_decay(self, mo);
+        prepare_factors(self, mo);
         if (attempt(self, mo)) {
             accept(self, mo, t1);
             return SARCINA_OK;
