@@ -11,7 +11,7 @@ typedef struct rgb {
     float r, g, b;
 } rgb;
 
-/* A name of the table below or "#rrggbb"; false when it is neither. */
+/* A name of the table below, "#rrggbb" or "#rgb"; false when it is neither. */
 bool color_parse(const char *text, rgb *out);
 
 typedef struct color_name {

@@ -48,37 +48,27 @@ char *dump_file_name(const char *pattern, uint64_t step, int pad) {
     }
 }
 
-static int check_style(const dump_style *style, diag *d) {
-    return style->missing ? diag_error(d, "%s", style->missing) : SARCINA_OK;
-}
-
-static int check_place(const char *pattern, int pad, diag *d) {
-    char *name = dump_file_name(pattern, 0, pad);
+int dump_check(int style, const char *pattern, bool now, diag *d) {
+    const dump_style *s = dump_styles[style];
+    if (s->missing)
+        return diag_error(d, "%s", s->missing);
+    if (!now && !s->many && !strchr(pattern, '*'))
+        return diag_error(d, "a dump of style %s writes one file a step: '%s' needs a * where the step goes", s->name,
+                          pattern);
+    char *name = dump_file_name(pattern, 0, 0);
     int status = stream_check_path(name, d);
     free(name);
     return status;
 }
 
-int dump_create(int style, const char *pattern, int pad, dump **out, diag *d) {
-    const dump_style *s = dump_styles[style];
-    bool one = !strchr(pattern, '*');
-    *out = NULL;
-    if (check_style(s, d))
-        return SARCINA_ERROR;
-    if (one && !s->many)
-        return diag_error(d, "a dump of style %s writes one file a step: '%s' needs a * where the step goes", s->name,
-                          pattern);
-    if (check_place(pattern, pad, d))
-        return SARCINA_ERROR;
+dump *dump_create(int style, const char *pattern) {
     dump *p = alloc_zeroed(1, sizeof *p);
     p->style = style;
     p->pattern = alloc_copy(pattern);
-    p->pad = pad;
     p->last = UINT64_MAX;
-    if (one)
-        p->file = stream_create(pattern, s == &dump_custom ? STREAM_DUMP : STREAM_CSV, 0);
-    *out = p;
-    return SARCINA_OK;
+    if (!strchr(pattern, '*'))
+        p->file = stream_create(pattern, dump_styles[style] == &dump_custom ? STREAM_DUMP : STREAM_CSV, 0);
+    return p;
 }
 
 void dump_free(dump *p) {
@@ -101,12 +91,16 @@ const char *dump_pattern(const dump *p) {
     return p->pattern;
 }
 
+void dump_set_last(dump *p, uint64_t step) {
+    p->last = step;
+}
+
 uint64_t dump_last(const dump *p) {
     return p->last;
 }
 
 int dump_open(dump *p, diag *d) {
-    return p->file ? stream_open(p->file, d) : check_place(p->pattern, p->pad, d);
+    return p->file ? stream_open(p->file, d) : dump_check(p->style, p->pattern, false, d);
 }
 
 int dump_write_now(int style, const char *path, const dump_frame *f, diag *d) {
@@ -114,8 +108,8 @@ int dump_write_now(int style, const char *path, const dump_frame *f, diag *d) {
     dump_frame frame = *f;
     frame.many = false;
     frame.fresh = true;
-    if (check_style(s, d))
-        return SARCINA_ERROR;
+    if (s->missing)
+        return diag_error(d, "%s", s->missing);
     if (s->draw)
         return s->draw(&frame, path, d);
     FILE *out = fopen(path, "w");

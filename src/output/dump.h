@@ -49,11 +49,14 @@ int dump_find(const char *name); /* row; -1 */
 /* A file, or one a step. */
 typedef struct dump dump;
 
-/* Of a style's row; `*` in the pattern is the step, with at least pad digits. Fails, touching nothing, when the style
- * wants a `*` that is not there, is missing from the build, or the place cannot be written. */
-int dump_create(int style, const char *pattern, int pad, dump **out, diag *d);
-void dump_free(dump *p); /* NULL is allowed */
-void dump_set_pad(dump *p, int pad);
+/* Can a dump of this style be written to this place? Touches nothing. Fails when the style wants a `*` in the pattern
+ * that is not there, is missing from the build, or the place cannot be written. now: for dump_write_now. */
+int dump_check(int style, const char *pattern, bool now, diag *d);
+
+/* Of a style's row; `*` in the pattern is the step. */
+dump *dump_create(int style, const char *pattern);
+void dump_free(dump *p);             /* NULL is allowed */
+void dump_set_pad(dump *p, int pad); /* the step in a name has at least so many digits */
 int dump_style_of(const dump *p);
 const char *dump_pattern(const dump *p);
 
@@ -69,8 +72,9 @@ int dump_write_now(int style, const char *path, const dump_frame *f, diag *d);
 /* The scene has gone back to this step: a file of many steps loses what came after. */
 int dump_rewind(dump *p, uint64_t step, diag *d);
 
-/* Step written last (UINT64_MAX: none). */
+/* Step written last (UINT64_MAX: none); a dump that goes on is told. */
 uint64_t dump_last(const dump *p);
+void dump_set_last(dump *p, uint64_t step);
 
 /* The name with every * replaced by the step; the caller frees. */
 char *dump_file_name(const char *pattern, uint64_t step, int pad);

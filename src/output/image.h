@@ -22,6 +22,20 @@ typedef struct image_options {
     double floor_z;    /* um */
 } image_options;
 
+/* The keywords of pictures as records of parameters; the row of `map` is that of color_maps. */
+#define IMAGE_PARAMS                                                                                                   \
+    {"size=800,600:size", "width and height in pixels"},                                                               \
+        {"view=top:view", "top, side, front, iso, or two angles: from z, and about z from x"},                         \
+        {"zoom=fit:number(0,)", "fit: everything is in the picture; a number magnifies that"},                         \
+        {"scalebar=auto:length[0,)", "length of the scale bar; auto: a round length, 0: none"},                        \
+        {"axes=no:flag", "arrows along x, y and z in a corner"},                                                       \
+        {"springs=no:flag", "lines for the springs of links"},                                                         \
+        {"map=viridis:{viridis|plasma|magma|inferno|cividis|coolwarm|gray}",                                           \
+         "colours of numbers, from the least to the largest"},                                                         \
+        {"range:range2", "the numbers at the ends of the map; otherwise the least and largest of the cells shown"}, {  \
+        "background=white:color", "colour of what is not a cell"                                                       \
+    }
+
 /* 800 x 600, from above, everything in, viridis, white, a scale bar; no floor. */
 image_options image_defaults(void);
 

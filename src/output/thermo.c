@@ -123,11 +123,8 @@ int thermo_set_format(thermo *t, const char *column, const char *format, diag *d
     return SARCINA_OK;
 }
 
-int thermo_set_file(thermo *t, const char *path, diag *d) {
-    int status = path ? stream_check_path(path, d) : SARCINA_OK;
-    if (!status)
-        renew_file(t, path);
-    return status;
+void thermo_set_file(thermo *t, const char *path) {
+    renew_file(t, path);
 }
 
 const char *thermo_file(const thermo *t) {
@@ -165,18 +162,16 @@ static void heading(const thermo_cell *c, char *out, size_t room) {
 }
 
 void thermo_header(const thermo *t, thermo_put *put, void *self) {
-    char *line = alloc_copy("");
+    char *text = NULL, name[THERMO_ROOM];
+    size_t size;
+    FILE *line = open_memstream(&text, &size);
     for (size_t i = 0; i < t->count; i++) {
-        char name[THERMO_ROOM];
         heading(&t->cells[i], name, sizeof name);
-        char *longer = alloc_format("%s%s%*s", line, i ? " " : "", column_width(&t->cells[i]), name);
-        free(line);
-        line = longer;
+        fprintf(line, "%s%*s", i ? " " : "", column_width(&t->cells[i]), name);
     }
-    char *whole = alloc_format("%s\n", line);
-    put(self, whole);
-    free(line);
-    free(whole);
+    fclose(line);
+    put(self, text);
+    free(text);
 }
 
 /* One number on the screen, unpadded. */
@@ -234,7 +229,6 @@ static int put_cells(thermo *t, uint64_t step, FILE *screen, FILE *row, diag *d)
         if (put_cell(&t->cells[i], screen, row, d))
             return SARCINA_ERROR;
     }
-    fputc('\n', screen);
     fputc('\n', row);
     return SARCINA_OK;
 }

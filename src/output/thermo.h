@@ -13,7 +13,7 @@
 
 typedef struct thermo thermo;
 
-/* Lines of the table, each with its newline, go to this. */
+/* Lines of the table, without their line ends, go to this. */
 typedef void thermo_put(void *self, const char *line);
 
 thermo *thermo_create(void);
@@ -34,8 +34,8 @@ void thermo_set_suffix(thermo *t, size_t i, const char *suffix);
 /* Format of the column of this name on the screen: one %-format of d, i, e, f or g; `d` rounds. */
 int thermo_set_format(thermo *t, const char *column, const char *format, diag *d);
 
-/* Writes every row also to this CSV file; NULL: no longer. A file that could not be written is an error now. */
-int thermo_set_file(thermo *t, const char *path, diag *d);
+/* Writes every row also to this CSV file; NULL: no longer. See stream_check_path. */
+void thermo_set_file(thermo *t, const char *path);
 const char *thermo_file(const thermo *t); /* NULL: none */
 
 /* Opens the CSV file, if any: before the first cycle, so that it fails before and not after the work. */
@@ -49,7 +49,7 @@ int thermo_row(thermo *t, uint64_t step, thermo_put *put, void *self, diag *d);
 /* The scene has gone back to this step: the file loses what came after. */
 int thermo_rewind(thermo *t, uint64_t step, diag *d);
 
-/* The number in column i of the row written last; NaN before the first. */
+/* The number in column i of the row written last, SI; NaN before the first. */
 double thermo_last(const thermo *t, size_t i);
 
 #endif

@@ -5,17 +5,7 @@
 
 #include "base/table.h"
 
-static const param params[] = {
-    {"size=800,600:size", "width and height in pixels"},
-    {"view=top:view", "top, side, front, iso, or two angles: from z, and about z from x"},
-    {"zoom=fit:number(0,)", "fit: everything is in the picture; a number magnifies that"},
-    {"scalebar=auto:length[0,)", "length of the scale bar; auto: a round length, 0: none"},
-    {"axes=no:flag", "arrows along x, y and z in a corner"},
-    {"springs=no:flag", "lines for the springs of links"},
-    {"map=viridis:word", "colours of numbers: viridis, plasma, magma, inferno, cividis, coolwarm, gray"},
-    {"range:range2", "the numbers at the ends of the map; otherwise the least and largest of the cells shown"},
-    {"background=white:color", "colour of what is not a cell"},
-};
+static const param params[] = {IMAGE_PARAMS};
 
 static int draw(const dump_frame *f, const char *path, diag *d) {
     canvas *c;
