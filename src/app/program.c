@@ -2,7 +2,7 @@
 #include "app/program.h"
 
 #include "base/alloc.h"
-#include "command/control.h"
+#include "command/commands.h"
 
 #include <errno.h>
 #include <gsl/gsl_errno.h>
@@ -135,7 +135,7 @@ int program_create(program *p, const options *o, diag *d) {
     if (!p->units)
         return SARCINA_ERROR;
     p->commands = command_table_create(p->units);
-    control_add(p->commands);
+    commands_add(p->commands);
     p->library = find_library();
     p->host = (interp_host){.commands = p->commands,
                             .units = p->units,

@@ -5,7 +5,14 @@
 #include <stdio.h>
 #include <string.h>
 
+#ifdef SARCINA_TRACE_MESSAGES
+void diag_trace(const char *format); /* tests/tools/trace.c */
+#else
+#define diag_trace(format) ((void)0)
+#endif
+
 static void fill(diag *d, sarcina_status status, const char *format, va_list list) {
+    diag_trace(format);
     if (!d)
         return;
     d->status = status;

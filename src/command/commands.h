@@ -7,6 +7,12 @@
 #include "script/command.h"
 
 #define COMMAND_FILES(X)                                                                                               \
+    X(variable)                                                                                                        \
+    X(print)                                                                                                           \
+    X(include)                                                                                                         \
+    X(expect)                                                                                                          \
+    X(program)                                                                                                         \
+    X(help)                                                                                                            \
     X(settings)                                                                                                        \
     X(species)                                                                                                         \
     X(growth)                                                                                                          \

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* expect EXPR [approx EXPR [rel R] [abs A]]; expect_error "text" "command": the language's own tests. */
-#include "command/control.h"
+#include "command/commands.h"
 
 #include "base/number.h"
 #include "base/table.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* help [TOPIC ...]: made from the tables, see script/help.h. */
-#include "command/control.h"
+#include "command/commands.h"
 
 #include "base/table.h"
 #include "script/help.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* include FILE. */
-#include "command/control.h"
+#include "command/commands.h"
 
 #include "base/table.h"
 

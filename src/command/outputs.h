@@ -16,7 +16,8 @@ void outputs_free(outputs *o);
 int outputs_begin(outputs *o, diag *d);
 
 /* After each cycle; last: the run ends here, whose row is always printed. Judges first_time analyses, prints thermo
- * rows, writes dumps and analyses that are due. A step is written once to each file, the log repeats it. */
+ * rows, writes dumps and analyses that are due. A step is written once to each file, the log repeats it at a new run.
+ * May be called again at the same step with last (until has come true): nothing is written or printed twice. */
 int outputs_step(outputs *o, bool last, diag *d);
 
 /* After a run: files are flushed. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* quit, echo, log, shell: what concerns the program around the script. */
-#include "command/control.h"
+#include "command/commands.h"
 
 #include "base/table.h"
 

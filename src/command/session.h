@@ -27,12 +27,18 @@ typedef struct session {
 
 session *session_of(interp *in);
 
-/* The scene with everything in it, ready to be measured. */
-int session_view(interp *in, view *v, diag *d);
+/* Flags the cells of a group (row of the class "group"): one a cell row. */
+int session_members(interp *in, int group, bool *flags, diag *d);
+
+/* The same on a view that stands already; row as in the class. */
+int groups_members(interp *in, size_t row, const view *v, bool *flags, diag *d);
 
 /* All that a restart file holds: journal, variables, state, where outputs stand. */
 int session_save(interp *in, const char *path, diag *d);
 int session_load(interp *in, const char *path, diag *d);
+
+/* Writes the file of the restart schedule whose turn it is. */
+int session_write_checkpoint(interp *in, diag *d);
 
 /* Takes out the scene and its outputs; variables stay. */
 void session_clear(interp *in);

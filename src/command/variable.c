@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* variable NAME default|equal|string|getenv|list|append|off. */
-#include "command/control.h"
+#include "command/commands.h"
 
 #include "base/table.h"
 #include "script/variables.h"

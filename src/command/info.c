@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* info [scene|timing]: what is in the scene and what acts on it; where the time went. */
+#include "command/commands.h"
+#include "command/style_values.h"
+
+#include "base/table.h"
+#include "biology/division.h"
+#include "biology/growth.h"
+#include "mechanics/force_style.h"
+#include "relax/integrator.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+static size_t cells_of(const scene *s, size_t row) {
+    size_t n = 0;
+    for (size_t i = 0; i < s->colony->cell.count; i++)
+        n += (size_t)s->colony->cell.species[i] == row;
+    return n;
+}
+
+static void show_species(interp *in, const scene *s) {
+    for (size_t i = 0; i < s->species.count; i++) {
+        const species *sp = &s->species.list[i];
+        interp_print(in, "species     %s: %s, %zu cells, growth %s, division %s", sp->name,
+                     sp->shape == SHAPE_ROD ? "rod" : "coccus", cells_of(s, i),
+                     sp->growth.style < 0 ? "off" : growth_styles[sp->growth.style].name,
+                     sp->division.style < 0 ? "off" : division_styles[sp->division.style].name);
+    }
+}
+
+/* "k 1e-10 reach 1.01": the parameters of a term in SI, choices by name. */
+static void write_parameters(const force_style *style, const double *p, char *out, size_t room) {
+    size_t used = 0;
+    out[0] = '\0';
+    for (size_t i = 0; i < style->nparams && used < room; i++) {
+        char name[64], kind[64];
+        style_param_name(&style->params[i], name);
+        const char *colon = strchr(style->params[i].spec, ':') + 1;
+        snprintf(kind, sizeof kind, "%.*s", (int)strcspn(colon, "[(~%!{"), colon);
+        dim d = DIM_NONE;
+        if (kind[0] == '\0') { /* a choice: its row counts */
+            const char *word = colon + 1;
+            for (int k = 0; k < (int)p[i]; k++)
+                word = strchr(word, '|') + 1;
+            used += (size_t)snprintf(out + used, room - used, " %s %.*s", name, (int)strcspn(word, "|}"), word);
+            continue;
+        }
+        dim_by_name(kind, &d);
+        char suffix[48];
+        used += (size_t)snprintf(out + used, room - used, " %s %g%s", name, dim_from_engine(p[i], d),
+                                 dim_suffix(d, suffix));
+    }
+}
+
+static bool is_active(const scene *s, int term) {
+    if (term == FORCE_SPRINGS)
+        return s->colony->spring.count > 0;
+    if (term != FORCE_INTERNAL)
+        return s->forces.term[term].on;
+    for (size_t i = 0; i < s->species.count; i++)
+        if (s->species.list[i].internal_k > 0 && cells_of(s, i) > 0)
+            return true;
+    return false;
+}
+
+static void show_forces(interp *in, const scene *s) {
+    char idle[256] = "";
+    for (int i = 0; i < FORCE_COUNT; i++) {
+        const force_style *style = force_styles[i];
+        if (!is_active(s, i)) {
+            strncat(idle, " ", sizeof idle - strlen(idle) - 1);
+            strncat(idle, style->name, sizeof idle - strlen(idle) - 1);
+            continue;
+        }
+        char parameters[256];
+        write_parameters(style, s->forces.term[i].p, parameters, sizeof parameters);
+        interp_print(in, "force       %s%s", style->name, parameters);
+    }
+    interp_print(in, "not active %s", idle[0] ? idle : " none");
+}
+
+static void show_relaxation(interp *in, const scene *s) {
+    const relax_settings *r = &s->relax;
+    bool preset = memcmp(r, &accuracy_presets[s->accuracy].settings, sizeof *r) == 0;
+    interp_print(in, "relaxation  %s%s%s", integrator_styles[r->integrator]->name, preset ? ", accuracy " : "",
+                 preset ? accuracy_presets[s->accuracy].name : "");
+    mechanics_stats m = mechanics_statistics(s->mechanics);
+    interp_print(in, "neighbours  %zu entries, skin %.3g um, method %s, kernel %s", m.pairs, m.skin,
+                 s->neighbor.method == NEIGHBOR_CELLS ? "cells" : "pairs", m.kernel ? m.kernel : "none");
+    interp_print(in, "memory      %.3g MB of state, %.3g MB of mechanics", 1e-6 * (double)colony_bytes(s->colony),
+                 1e-6 * (double)m.bytes);
+}
+
+static void show_scene(interp *in) {
+    scene *s = interp_scene(in);
+    diag problem = {0};
+    int status = scene_prepare(s, &problem);
+    interp_print(in, "scene       %zu cells of %zu particles, %zu links, step %" PRIu64 ", time %g s, relaxed %g s",
+                 s->colony->cell.count, s->colony->particle.count, s->colony->link.count, s->step, s->time, s->relaxed);
+    show_species(in, s);
+    show_forces(in, s);
+    show_relaxation(in, s);
+    interp_print(in, "seed        %" PRIu64 ", %d thread%s", rng_get_seed(s->rng), s->threads,
+                 s->threads == 1 ? "" : "s");
+    if (status)
+        interp_print(in, "cannot run  %s", problem.message);
+}
+
+static void show_timing(interp *in) {
+    const scene *s = interp_scene(in);
+    const scene_timing *t = &s->timing;
+    mechanics_stats m = mechanics_statistics(s->mechanics);
+    double relax_rest = t->relax - m.force_seconds - m.build_seconds;
+    const struct {
+        const char *stage;
+        double seconds;
+    } rows[] = {{"grow", t->grow},           {"divide", t->divide},
+                {"forces", m.force_seconds}, {"neighbours", m.build_seconds},
+                {"integrate", relax_rest},   {"output", t->output}};
+    double sum = 0;
+    for (size_t i = 0; i < TABLE_COUNT(rows); i++)
+        sum += rows[i].seconds;
+    interp_print(in, "%-12s %10s %6s", "stage", "seconds", "%");
+    for (size_t i = 0; i < TABLE_COUNT(rows); i++)
+        interp_print(in, "%-12s %10.4f %6.1f", rows[i].stage, rows[i].seconds,
+                     sum > 0 ? 100 * rows[i].seconds / sum : 0);
+    interp_print(in, "%" PRIu64 " force evaluations, %" PRIu64 " neighbour lists", m.evaluations, m.builds);
+    double each = m.evaluations && s->colony->cell.count
+                      ? 1e9 * m.force_seconds / (double)m.evaluations / (double)s->colony->cell.count
+                      : 0;
+    interp_print(in, "%.1f ns a force evaluation and cell, at the present number of cells", each);
+}
+
+static int run_info(interp *in, const args *a, diag *d) {
+    const char *topic = args_text(a, "TOPIC");
+    if (!topic || strcmp(topic, "scene") == 0) {
+        show_scene(in);
+        return SARCINA_OK;
+    }
+    if (strcmp(topic, "timing") == 0) {
+        show_timing(in);
+        return SARCINA_OK;
+    }
+    diag_error(d, "no information on '%s'", topic);
+    diag_help(d, "info scene, info timing");
+    diag_place(d, args_span(a, "TOPIC"));
+    return SARCINA_ERROR;
+}
+
+static const param params[] = {
+    {"TOPIC:word?", "scene (without it): what is there and what acts; timing: where time went"}};
+
+static const command_form forms[] = {
+    {"info TOPIC:word?", params, 1, "What is in the scene, or where the time went", NULL, "info scene", 0, run_info,
+     NULL, 0},
+};
+
+void command_info(command_table *t) {
+    command_add(t, forms, TABLE_COUNT(forms));
+}

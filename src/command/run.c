@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* run N [upto] [grow DT] [relax T] [until TEST] [every M "command" ...]: cycles of growth and relaxation, and the
+ * output that is due. Order in a cycle: grow, relax, output, every, until; until is also looked at before the first. */
+#include "command/commands.h"
+#include "command/session.h"
+
+#include "base/table.h"
+
+#include <inttypes.h>
+#include <math.h>
+
+/* What one run is made of. */
+typedef struct plan {
+    double grow, relax, force;
+    uint64_t cycles;
+    expr *until;
+    const args *a;
+} plan;
+
+/* Grow and relax as given; or, when neither is, those of the run before. */
+static int read_cycle(session *s, const args *a, plan *p, diag *d) {
+    bool has_grow = args_given(a, "grow"), has_relax = args_given(a, "relax");
+    if (!has_grow && !has_relax) {
+        if (isnan(s->grow_time)) {
+            diag_error(d, "run needs grow or relax: nothing is remembered from a run before");
+            return diag_help(d, "run 70 grow 4min relax 1s");
+        }
+        *p = (plan){.grow = s->grow_time, .relax = s->relax_time, .force = s->relax_force};
+        return SARCINA_OK;
+    }
+    *p = (plan){.grow = has_grow ? args_number(a, "grow") : 0};
+    if (has_relax)
+        args_relaxation(a, "relax", &p->relax, &p->force);
+    return SARCINA_OK;
+}
+
+/* Whole cycles nearest to a time; said when it is not one exactly. */
+static uint64_t cycles_of_time(interp *in, double time, double cycle) {
+    double cycles = time / cycle, whole = round(cycles);
+    if (fabs(cycles - whole) > 1e-9 * fmax(1, whole))
+        interp_print(in, "%g s is %.2f cycles: running %.0f", time, cycles, whole);
+    return whole > 0 ? (uint64_t)whole : 0;
+}
+
+static int count_cycles(interp *in, const args *a, plan *p, diag *d) {
+    const scene *s = interp_scene(in);
+    args_cycles_value n = args_cycles(a, "N");
+    bool upto = args_given(a, "upto");
+    if (!n.is_time) {
+        p->cycles = !upto ? n.cycles : n.cycles > s->step ? n.cycles - s->step : 0;
+        return SARCINA_OK;
+    }
+    double cycle = p->grow > 0 ? p->grow : p->relax, done = p->grow > 0 ? s->time : s->relaxed;
+    if (!isfinite(cycle) || !(cycle > 0))
+        return diag_error(d, "a run for a time needs grow, or relax for a time");
+    p->cycles = cycles_of_time(in, upto ? n.time - done : n.time, cycle);
+    return SARCINA_OK;
+}
+
+static int is_done(interp *in, const plan *p, bool *done, diag *d) {
+    *done = false;
+    return p->until ? interp_truth(in, p->until, done, d) : SARCINA_OK;
+}
+
+/* The commands of `every` that are due at this step. */
+static int run_every(interp *in, const plan *p, double before, diag *d) {
+    const scene *s = interp_scene(in);
+    for (size_t i = 0; i < args_every_count(p->a, "every"); i++) {
+        command_text *const *commands;
+        size_t n;
+        args_cycles_value every = args_every(p->a, "every", i, &commands, &n);
+        if (!outputs_due(every, s->step, before, s->time))
+            continue;
+        for (size_t k = 0; k < n; k++) {
+            int status = interp_run_text(in, commands[k], d);
+            if (status)
+                return status;
+        }
+    }
+    return SARCINA_OK;
+}
+
+static int write_checkpoint(interp *in, double before, diag *d) {
+    restart_schedule *r = &session_of(in)->restart;
+    const scene *s = interp_scene(in);
+    bool off = !r->every.is_time && r->every.cycles == 0;
+    if (off || !r->files[0] || !outputs_due(r->every, s->step, before, s->time))
+        return SARCINA_OK;
+    return session_write_checkpoint(in, d);
+}
+
+/* One cycle and all that follows it; *done: the run ends here. */
+static int run_cycle(interp *in, const plan *p, bool last, bool *done, diag *d) {
+    session *s = session_of(in);
+    scene *sc = interp_scene(in);
+    double before = sc->time;
+    int status = scene_cycle(sc, p->grow, p->relax, p->force, d);
+    if (!status)
+        status = outputs_step(s->out, last, d);
+    if (!status)
+        status = write_checkpoint(in, before, d);
+    if (!status)
+        status = run_every(in, p, before, d);
+    if (!status)
+        status = is_done(in, p, done, d);
+    if (!status && *done && !last)
+        status = outputs_step(s->out, true, d);
+    return status;
+}
+
+static void report(interp *in, uint64_t cycles, double seconds) {
+    const scene *s = interp_scene(in);
+    interp_print(in, "Loop time of %.6g on %d thread%s for %" PRIu64 " cycles with %zu cells", seconds, s->threads,
+                 s->threads == 1 ? "" : "s", cycles, s->colony->cell.count);
+}
+
+static int run_cycles(interp *in, const plan *p, diag *d) {
+    session *s = session_of(in);
+    scene *sc = interp_scene(in);
+    double before = sc->timing.total;
+    uint64_t first = sc->step;
+    bool done = false;
+    int status = is_done(in, p, &done, d);
+    if (!status)
+        status = outputs_begin(s->out, d);
+    for (uint64_t i = 0; i < p->cycles && !done && !status; i++)
+        status = run_cycle(in, p, i + 1 == p->cycles, &done, d);
+    outputs_end(s->out);
+    report(in, sc->step - first, sc->timing.total - before);
+    return status;
+}
+
+static int run_run(interp *in, const args *a, diag *d) {
+    session *s = session_of(in);
+    plan p;
+    int status = read_cycle(s, a, &p, d);
+    p.until = args_expr(a, "until");
+    p.a = a;
+    if (!status)
+        status = count_cycles(in, a, &p, d);
+    if (!status && !interp_checking(in) && p.cycles > 0)
+        status = scene_prepare(interp_scene(in), d);
+    if (status)
+        return status;
+    s->grow_time = p.grow;
+    s->relax_time = p.relax;
+    s->relax_force = p.force;
+    return interp_checking(in) ? SARCINA_OK : run_cycles(in, &p, d);
+}
+
+static const param params[] = {
+    {"N:cycles[0,)", "cycles, or a time: then the nearest whole number of them"},
+    {"upto:nothing", "N counts from the beginning of the simulation: no cycles when it is past"},
+    {"grow:time(0,)", "growth step of a cycle"},
+    {"relax:relaxation", "relaxation of a cycle: a time, or 'to FORCE [within TIME]'"},
+    {"until:expr", "stop once this holds, judged before the first cycle and after each"},
+    {"every:everycmd", "commands to run after every so many cycles, or every time"},
+};
+
+static const command_form forms[] = {
+    {"run N:cycles[0,)", params, TABLE_COUNT(params), "Grows and relaxes in cycles, with the output that is due",
+     "Without grow and relax, those of the run before. A cycle happens whole or not at all: after an error or an "
+     "interruption the scene is that of the last whole cycle.",
+     "run 70 grow 4min relax 1s until thickness > 0.75um", COMMAND_SHADOW, run_run, NULL, 0},
+};
+
+void command_run(command_table *t) {
+    command_add(t, forms, TABLE_COUNT(forms));
+}

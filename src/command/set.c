@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* set GROUP KEY VALUE [where TEST]: a property of cells from a formula. */
+#include "command/commands.h"
+
+#include "command/session.h"
+
+#include "base/alloc.h"
+#include "base/table.h"
+#include "model/shape.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+typedef enum { KEY_X, KEY_Y, KEY_Z, KEY_VX, KEY_VY, KEY_VZ, KEY_MASS, KEY_DIAMETER, KEY_GENERATION } set_key;
+
+static const char *const dimensions[] = {"length",   "length", "length", "velocity", "velocity",
+                                         "velocity", "mass",   "length", "number"};
+
+static int check_value(const scene *s, set_key key, uint32_t row, double value, diag *d) {
+    unsigned long long id = s->colony->cell.id[row];
+    const species *sp = &s->species.list[s->colony->cell.species[row]];
+    if (!isfinite(value))
+        return diag_error(d, "the value of cell %llu is not finite", id);
+    if ((key == KEY_MASS || key == KEY_DIAMETER) && !(value > 0))
+        return diag_error(d, "the value of cell %llu must be more than 0", id);
+    if (key == KEY_DIAMETER && s->colony->cell.aspect[row] > 0)
+        return diag_error(d, "the diameter of cell %llu of %s follows from its mass (aspect)", id, sp->name);
+    if (key == KEY_GENERATION && (value < 0 || value != floor(value) || value > INT32_MAX))
+        return diag_error(d, "the generation of cell %llu must be a whole number from 0", id);
+    return SARCINA_OK;
+}
+
+/* Moves the whole cell so that its centre gets the coordinate. */
+static void set_place(colony *c, uint32_t row, int axis, double value) {
+    double centre[3];
+    colony_centre(c, row, centre);
+    double shift = value - centre[axis];
+    for (uint32_t i = 0; i < c->cell.nparticles[row]; i++)
+        c->particle.x[3 * ((size_t)c->cell.first[row] + i) + (size_t)axis] += shift;
+}
+
+static void set_value(scene *s, set_key key, uint32_t row, double value) {
+    colony *c = s->colony;
+    const species *sp = &s->species.list[c->cell.species[row]];
+    switch (key) {
+    case KEY_X:
+    case KEY_Y:
+    case KEY_Z:
+        set_place(c, row, (int)(key - KEY_X), value);
+        return;
+    case KEY_VX:
+    case KEY_VY:
+    case KEY_VZ:
+        for (uint32_t i = 0; i < c->cell.nparticles[row]; i++)
+            c->particle.v[3 * ((size_t)c->cell.first[row] + i) + (size_t)(key - KEY_VX)] = value;
+        return;
+    case KEY_MASS:
+        c->cell.mass[row] = value;
+        break;
+    case KEY_DIAMETER:
+        if (sp->shape == SHAPE_COCCUS)
+            c->cell.mass[row] = shape_coccus_mass(value, sp->density);
+        else
+            c->cell.diameter[row] = value;
+        break;
+    case KEY_GENERATION:
+        c->cell.generation[row] = (int32_t)value;
+        return;
+    }
+    species_shape_cell(sp, c, row);
+}
+
+static int apply(interp *in, const args *a, const bool *flags, const double *si, dim seen, diag *d) {
+    scene *s = interp_scene(in);
+    set_key key = (set_key)args_choice(a, "KEY");
+    dim wanted;
+    dim_by_name(dimensions[key], &wanted);
+    char got[48], due[48];
+    bool plain = dim_is_none(seen) && !dim_is_none(wanted);
+    if (!plain && !dim_equal(seen, wanted)) {
+        diag_error(d, "%s is a %s, not a %s", args_text(a, "KEY"), dim_name(wanted, due), dim_name(seen, got));
+        diag_place(d, args_span(a, "VALUE"));
+        return SARCINA_ERROR;
+    }
+    double scale = plain ? interp_unit(in, wanted) : 1;
+    int status = SARCINA_OK;
+    for (uint32_t i = 0; i < s->colony->cell.count && !status; i++)
+        if (flags[i])
+            status = check_value(s, key, i, si[i] * scale, d);
+    for (uint32_t i = 0; i < s->colony->cell.count && !status; i++)
+        if (flags[i])
+            set_value(s, key, i, dim_to_engine(si[i] * scale, wanted));
+    s->colony->version++;
+    return status;
+}
+
+static int run_set(interp *in, const args *a, diag *d) {
+    size_t n = interp_scene(in)->colony->cell.count;
+    bool *flags = alloc_zeroed(n, sizeof *flags), *where = alloc_zeroed(n, sizeof *where);
+    double *si = alloc_zeroed(n, sizeof *si);
+    dim seen = DIM_NONE;
+    int status = session_members(in, args_row(a, "GROUP"), flags, d);
+    if (!status && args_given(a, "where"))
+        status = interp_flags(in, args_expr(a, "where"), where, d);
+    for (size_t i = 0; i < n && args_given(a, "where"); i++)
+        flags[i] = flags[i] && where[i];
+    if (!status)
+        status = interp_cells(in, args_expr(a, "VALUE"), si, &seen, d);
+    if (!status)
+        status = apply(in, a, flags, si, seen, d);
+    free(flags);
+    free(where);
+    free(si);
+    return status;
+}
+
+static const param params[] = {
+    {"GROUP:group", "of these: all, a species, a region"},
+    {"KEY:{x|y|z|vx|vy|vz|mass|diameter|generation}", "what is set; x, y, z move the cell's centre"},
+    {"VALUE:cell", "a formula per cell, one word"},
+    {"where:cellexpr", "only those for which this holds"},
+};
+
+static const command_form forms[] = {
+    {"set GROUP:group KEY:{x|y|z|vx|vy|vz|mass|diameter|generation} VALUE:cell", params, TABLE_COUNT(params),
+     "Sets a property of cells from a formula", "Every value is computed before the first is set.", "set all z z+1um",
+     0, run_set, NULL, 0},
+};
+
+void command_set(command_table *t) {
+    command_add(t, forms, TABLE_COUNT(forms));
+}

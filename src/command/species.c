@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* species NAME coccus|rod: shape, size, density, colour. */
+#include "command/commands.h"
+
+#include "base/table.h"
+#include "biology/division.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static size_t count_species(interp *in) {
+    return interp_scene(in)->species.count;
+}
+
+static const char *get_species(interp *in, size_t i) {
+    return interp_scene(in)->species.list[i].name;
+}
+
+static int species_members(interp *in, size_t i, const view *v, bool *flags, diag *d) {
+    (void)in;
+    (void)d;
+    for (size_t row = 0; row < v->colony->cell.count; row++)
+        flags[row] = (size_t)v->colony->cell.species[row] == i;
+    return SARCINA_OK;
+}
+
+static const name_class species_class = {"species",     "a species", false,           true,
+                                         count_species, get_species, species_members, NULL};
+
+static bool has_cells(const scene *s, int row) {
+    for (size_t i = 0; i < s->colony->cell.count; i++)
+        if (s->colony->cell.species[i] == row)
+            return true;
+    return false;
+}
+
+static bool stands(interp *in, const args *a) {
+    const scene *s = interp_scene(in);
+    int row = species_find(&s->species, args_text(a, "NAME"));
+    return row >= 0 && (int)s->species.list[row].shape == args_style(a);
+}
+
+static void amend(species *sp, const args *a, bool is_new) {
+    sp->shape = (shape_kind)args_style(a);
+    if (is_new || args_given(a, "density"))
+        sp->density = args_number(a, "density");
+    if (args_given(a, "color"))
+        snprintf(sp->color, sizeof sp->color, "%s", args_text(a, "color"));
+    if (sp->shape == SHAPE_COCCUS) {
+        sp->diameter = sp->aspect = spread_fixed(0);
+        sp->internal_k = 0;
+        return;
+    }
+    /* one of the two is kept */
+    if (args_given(a, "diameter")) {
+        sp->diameter = args_spread(a, "diameter");
+        sp->aspect = spread_fixed(0);
+    }
+    if (args_given(a, "aspect")) {
+        sp->aspect = args_spread(a, "aspect");
+        sp->diameter = spread_fixed(0);
+    }
+}
+
+static int run_species(interp *in, const args *a, diag *d) {
+    scene *s = interp_scene(in);
+    const char *name = args_text(a, "NAME");
+    int row = species_find(&s->species, name);
+    if (row < 0) {
+        row = species_add(&s->species, name);
+        amend(&s->species.list[row], a, true);
+        return SARCINA_OK;
+    }
+    species changed = s->species.list[row];
+    bool same_shape = (int)changed.shape == args_style(a);
+    if (!same_shape && has_cells(s, row)) {
+        diag_error(d, "species %s has cells: its shape cannot change", name);
+        return diag_help(d, "delete them before, or give the new shape another name");
+    }
+    amend(&changed, a, false);
+    if (!same_shape)
+        changed.division.style = -1; /* a rule for another shape */
+    int status = division_check(&changed, d);
+    if (status)
+        return status;
+    s->species.list[row] = changed;
+    scene_refresh_species(s, row);
+    return SARCINA_OK;
+}
+
+static const param coccus_params[] = {
+    {"density=1010kg/m3:density(0,)", "mass per volume of a cell"},
+    {"color=auto:color", "in pictures; auto: by order"},
+};
+static const param rod_params[] = {
+    {"diameter:length~!1(0,)", "of every cell, constant for life; with sd each cell draws its own"},
+    {"aspect:number~!1(1,)", "or: total length over diameter, kept while the cell grows"},
+    {"density=1010kg/m3:density(0,)", "mass per volume of a cell"},
+    {"color=auto:color", "in pictures; auto: by order"},
+};
+
+void command_species(command_table *t) {
+    command_add_class(t, &species_class);
+    const command_form common = {
+        .details = "Naming a species again amends what is named; the shape may change while it has no "
+                   "cells.",
+        .flags = COMMAND_DECLARES,
+        .run = run_species,
+        .exists = stands};
+    command_form coccus = common, rod = common;
+    coccus.example = "species cf coccus density 1010kg/m3";
+    rod.example = "species ecoli rod diameter 0.75um sd 5%";
+    command_add_style(t, &coccus, "species NAME:+species coccus",
+                      "A species of spheres, whose diameter follows their mass", coccus_params,
+                      TABLE_COUNT(coccus_params), SHAPE_COCCUS);
+    command_add_style(t, &rod, "species NAME:+species rod", "A species of rods: two particles and a spring", rod_params,
+                      TABLE_COUNT(rod_params), SHAPE_ROD);
+}
