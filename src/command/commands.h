@@ -24,6 +24,9 @@
     X(delete_cells)                                                                                                    \
     X(set)                                                                                                             \
     X(grow)                                                                                                            \
+    X(thermo)                                                                                                          \
+    X(dump)                                                                                                            \
+    X(analyze)                                                                                                         \
     X(run)                                                                                                             \
     X(restart)                                                                                                         \
     X(clear)                                                                                                           \
