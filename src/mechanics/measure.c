@@ -61,7 +61,7 @@ static void measure_row(const mechanics *m, size_t slot, const uint32_t *partner
     for (size_t i = 0; i < n; i++) {
         double radii = m->bodies[slot].radius + m->bodies[partners[i]].radius;
         double distance = axis_distance(m, slot, partners[i]);
-        *contacts += distance < m->reach * radii;
+        *contacts += distance < m->touch * radii;
         *overlap = radii - distance > *overlap ? radii - distance : *overlap;
     }
 }
@@ -98,8 +98,24 @@ void mechanics_contacts(mechanics *m, double *overlap, uint32_t *contacts, doubl
     }
 }
 
+/* The stiffest spring of a term that acts on the particle, if it beats what was found. */
+static void find_stiffest(mechanics *m, const double *x, force_kind term, size_t particle, mechanics_culprit *found) {
+    const force_frame at = state_frame(m, x, NULL);
+    m->stiff.count = 0;
+    for (size_t slot = 0; slot < m->nbodies; slot++)
+        force_styles[term]->stiffness(m->forces.term[term].p, &at, slot, &m->stiff);
+    for (size_t i = 0; i < m->stiff.count; i++) {
+        const stiff_spring *s = &m->stiff.list[i];
+        for (uint32_t j = 0; j < s->count; j++)
+            if (s->particle[j] == particle && s->k > found->k) {
+                found->k = s->k;
+                found->stiffest = term;
+            }
+    }
+}
+
 mechanics_culprit mechanics_blame(mechanics *m, const double *x, size_t particle) {
-    mechanics_culprit found = {m->bodies[m->owner[particle]].id, FORCE_COUNT, 0, m->mass[particle]};
+    mechanics_culprit found = {m->bodies[m->owner[particle]].id, FORCE_COUNT, FORCE_COUNT, 0, m->mass[particle]};
     double most = -1;
     for (int term = 0; term < FORCE_COUNT; term++) {
         if (!m->forces.term[term].on || term == FORCE_DAMPING)
@@ -107,20 +123,12 @@ mechanics_culprit mechanics_blame(mechanics *m, const double *x, size_t particle
         mechanics_force_of(m, (force_kind)term, x, NULL, m->scratch);
         const double *f = m->scratch + 3 * particle;
         double square = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
-        if (square > most || isnan(square)) {
+        if (!(square <= most)) {
             most = isnan(square) ? (double)INFINITY : square;
-            found.term = (force_kind)term;
+            found.strongest = (force_kind)term;
         }
+        if (force_styles[term]->stiffness && state_refresh(m, x))
+            find_stiffest(m, x, (force_kind)term, particle, &found);
     }
-    if (!state_refresh(m, x) || found.term == FORCE_COUNT || !force_styles[found.term]->stiffness)
-        return found;
-    const force_frame at = state_frame(m, x, NULL);
-    m->stiff.count = 0;
-    for (size_t slot = 0; slot < m->nbodies; slot++)
-        force_styles[found.term]->stiffness(m->forces.term[found.term].p, &at, slot, &m->stiff);
-    for (size_t i = 0; i < m->stiff.count; i++)
-        for (uint32_t j = 0; j < m->stiff.list[i].count; j++)
-            if (m->stiff.list[i].particle[j] == particle && m->stiff.list[i].k > found.k)
-                found.k = m->stiff.list[i].k;
     return found;
 }

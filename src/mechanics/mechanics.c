@@ -182,7 +182,7 @@ static void bind(mechanics *m, const mechanics_input *in) {
     bool regularised = (contact_law)collision->p[COLLISION_CONTACT] == CONTACT_REGULARISED;
     m->wants_pairs = collision->on;
     m->cocci = m->nparticles == m->nbodies;
-    m->reach = collision->on ? collision->p[COLLISION_REACH] : 1;
+    m->touch = m->reach = collision->on ? collision->p[COLLISION_REACH] : 1;
     if (collision->on && regularised)
         m->reach *= sqrt(1 + 0.25 * collision->p[COLLISION_EPSILON]);
     m->skin = choose_skin(m);

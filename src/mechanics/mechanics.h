@@ -77,11 +77,12 @@ double mechanics_stiffness(mechanics *m, const double *x);
  * the system has changed little. A mode of zeros is started anew. */
 double mechanics_stiffness_from(mechanics *m, const double *x, double *mode);
 
-/* Who is to blame for a step that cannot be taken at x: the particle's cell, and the term that stresses it most. */
+/* Who is to blame for a step that cannot be taken at x: the particle's cell, the term whose force on it is largest, and
+ * the stiffest spring that acts on it, with its term. FORCE_COUNT: no term, no spring. */
 typedef struct mechanics_culprit {
     uint64_t cell;
-    force_kind term;
-    double k, mass; /* the stiffest spring that acts on the particle, pg/s2, and its mass, pg */
+    force_kind strongest, stiffest;
+    double k, mass; /* of that spring, pg/s2, and of the particle, pg */
 } mechanics_culprit;
 mechanics_culprit mechanics_blame(mechanics *m, const double *x, size_t particle);
 

@@ -33,6 +33,7 @@ struct mechanics {
     bool ordered;          /* rows stand in that order */
     double *mass, *radius; /* (nparticles) */
     spring_index springs;
+    double touch;     /* cells within touch (r_A + r_B) count as contacts */
     double reach;     /* pairs within reach (r_A + r_B) may touch */
     double skin;      /* um */
     bool wants_pairs; /* a term reads the neighbour list */

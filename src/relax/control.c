@@ -36,6 +36,8 @@ double control_first_step(motion *mo, const double *a, double tolerance, int ord
 
 double control_cut(const motion *mo, double wanted, double most, double t1, bool *last) {
     double h = most > 0 && wanted > most ? most : wanted;
-    *last = mo->time + h >= t1;
-    return *last ? t1 - mo->time : h;
+    /* a remainder of rounding is no step of its own */
+    double left = t1 - mo->time;
+    *last = h >= left * (1 - 1e-9);
+    return *last ? left : h;
 }

@@ -71,20 +71,21 @@ double motion_stable_step(double stiffness) {
     return stiffness > 0 ? 1.4 / sqrt(stiffness) : (double)INFINITY;
 }
 
-int motion_fail(motion *mo, size_t particle, double least, diag *d) {
+static const char *term_name(force_kind term) {
+    return term < FORCE_COUNT ? force_styles[term]->name : "no force";
+}
+
+int motion_fail_stiff(motion *mo, size_t particle, double least, diag *d) {
     const mechanics_culprit c = mechanics_blame(mo->m, mo->x, particle);
-    const char *term = c.term < FORCE_COUNT ? force_styles[c.term]->name : "damping";
-    if (c.k > 0) {
-        double needs = motion_stable_step(c.k / c.mass);
-        diag_fail(d, SARCINA_NUMERICAL,
-                  "cell %llu: no step of %.2g us or more can be taken at %.6g s of relaxation: %s k %.3g N/m with mass "
-                  "%.3g kg needs steps below %.2g us",
-                  (unsigned long long)c.cell, least * 1e6, mo->time, term, c.k * 1e-15, c.mass * 1e-15, needs * 1e6);
-        return diag_help(d, "lower k, or raise the mass; the scene is as at the last accepted step");
-    }
-    diag_fail(
-        d, SARCINA_NUMERICAL,
-        "cell %llu: no step of %.2g us or more can be taken at %.6g s of relaxation: %s is the largest force on it",
-        (unsigned long long)c.cell, least * 1e6, mo->time, term);
-    return diag_help(d, "cells that coincide, or lie deep in each other, push each other apart without bound");
+    diag_fail(d, SARCINA_NUMERICAL, "cell %llu: %s k %.3g N/m with mass %.3g kg needs steps below %.2g us",
+              (unsigned long long)c.cell, term_name(c.stiffest), c.k * 1e-15, c.mass * 1e-15,
+              motion_stable_step(c.k / c.mass) * 1e6);
+    return diag_help(d, "steps below %.2g us are not taken: a smaller k, or a larger mass", least * 1e6);
+}
+
+int motion_fail_thrown(motion *mo, size_t particle, double least, diag *d) {
+    const mechanics_culprit c = mechanics_blame(mo->m, mo->x, particle);
+    diag_fail(d, SARCINA_NUMERICAL, "cell %llu: %s drives it too far in any step down to %.2g us, after %.6g s",
+              (unsigned long long)c.cell, term_name(c.strongest), least * 1e6, mo->time);
+    return diag_help(d, "cells that lie deep in each other, or a force without bound, cannot be relaxed");
 }

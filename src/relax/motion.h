@@ -39,7 +39,9 @@ size_t motion_worst(const motion *mo, const double *values);
 /* Longest explicit step for a mode of this squared frequency (1/s2): 0.7 of Verlet's limit 2 / omega. */
 double motion_stable_step(double stiffness);
 
-/* SARCINA_NUMERICAL: no step longer than `least` can be taken; the particle names the cell, the term and the cause. */
-int motion_fail(motion *mo, size_t particle, double least, diag *d);
+/* SARCINA_NUMERICAL: the springs on a particle need steps shorter than `least` (s); or, whatever the step, it is thrown
+ * too far. Both name the cell, the term and the cause. */
+int motion_fail_stiff(motion *mo, size_t particle, double least, diag *d);
+int motion_fail_thrown(motion *mo, size_t particle, double least, diag *d);
 
 #endif

@@ -140,7 +140,7 @@ static int step(void *of, motion *mo, double t1, diag *d) {
         mo->rejected++;
         self->h = h * factor;
         if (self->h < CONTROL_LEAST_STEP)
-            return motion_fail(mo, motion_worst(mo, self->trial + 3 * self->n), CONTROL_LEAST_STEP, d);
+            return motion_fail_thrown(mo, motion_worst(mo, self->trial + 3 * self->n), CONTROL_LEAST_STEP, d);
     }
 }
 

@@ -111,7 +111,7 @@ static int step(void *of, motion *mo, double t1, diag *d) {
         self->h = h * factor;
         load(self, mo);
         if (self->h < CONTROL_LEAST_STEP)
-            return motion_fail(mo, motion_worst(mo, self->slope + self->n), CONTROL_LEAST_STEP, d);
+            return motion_fail_thrown(mo, motion_worst(mo, self->slope + self->n), CONTROL_LEAST_STEP, d);
     }
 }
 

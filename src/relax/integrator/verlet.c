@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Splittings that solve the damping exactly and take their step from the present stiffness.
+/* Splittings that solve damped flight exactly and take their step from the present stiffness.
  *
- * Velocity Verlet: kick h/2, drift h/2, damp, drift h/2, kick h/2 (Leimkuhler & Matthews 2013, BAOAB without noise):
- *     v += h/2 F/m;  x += h/2 v;  v *= exp(-k_d h/m);  x += h/2 v;  v += h/2 F/m
- * Semi-implicit Euler: v = (v + h F/m) exp(-k_d h/m);  x += h v.
+ * Velocity Verlet: kick h/2, flight h, kick h/2, with g = k_d / m:
+ *     v += h/2 F/m;  x += v (1 - exp(-g h))/g, v *= exp(-g h);  v += h/2 F/m
+ * Semi-implicit Euler: kick h, flight h. Flight taken exactly (instead of drift, damp, drift: the same to (g h)^2/12)
+ * makes both right where damping is fast, too: x moves by h F/k_d then, whatever the mass.
  *
- * A step is refused when it leaves a number that is not finite, or moves a particle by more than a quarter of its
- * radius: springs that are not meant to be so are then crossed, not compressed. It is then halved. */
+ * A step is refused when it leaves a number that is not finite, or moves a particle by more than half its radius: cells
+ * could then pass through each other untouched. It is then halved, and tried at twice its length again later. */
 #include "relax/integrator.h"
 
 #include "base/alloc.h"
@@ -16,8 +17,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Shortest step, s: 200,000 of them relax one second. */
-static const double least_step = 5e-6;
+/* Shortest step that a scene may need throughout, s: 200,000 of them relax one second; and after refusals. */
+static const double least_step = 5e-6, least_refused = 1e-7;
 
 /* Accepted steps between looks at the stiffness, and before a halved step is tried at twice its length. */
 enum { STEPS_BETWEEN_LOOKS = 50, STEPS_TO_RECOVER = 20 };
@@ -31,8 +32,8 @@ typedef struct splitting {
     double h;       /* the step: divides the time left evenly */
     uint64_t left;  /* steps left of it */
     int since_look, since_refusal;
-    double factors_for;   /* the step that the factors hold for */
-    double *kick, *decay; /* h / (2 m) and exp(-k_d h/m), for each component (n) */
+    double factors_for;            /* the step that the factors hold for */
+    double *kick, *decay, *flight; /* h / (2 m) and exp(-g h), for each component (n) */
     double *force, *trial_force, *x, *v, *mode, *memory;
 } splitting;
 
@@ -42,7 +43,7 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     self->fixed = how->step;
     self->most = how->most;
     self->n = 3 * mo->n;
-    self->memory = alloc_zeroed(7 * self->n, sizeof *self->memory);
+    self->memory = alloc_zeroed(8 * self->n, sizeof *self->memory);
     self->force = self->memory;
     self->trial_force = self->force + self->n;
     self->x = self->trial_force + self->n;
@@ -50,6 +51,7 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     self->mode = self->v + self->n;
     self->decay = self->mode + self->n;
     self->kick = self->decay + self->n;
+    self->flight = self->kick + self->n;
     self->shorter = 1;
     return self;
 }
@@ -77,17 +79,19 @@ static void plan(splitting *self, const motion *mo, double t1) {
     self->h = left / (double)self->left;
 }
 
-static void look(splitting *self, motion *mo, double t1) {
+/* Takes the step from the stiffness at the present state; false when no step that is worth taking bears it. */
+static bool look(splitting *self, motion *mo, double t1) {
     self->since_look = 0;
     self->stable = self->fixed;
+    double bearable = (double)INFINITY;
     if (self->fixed <= 0) {
-        self->stable = motion_stable_step(mechanics_stiffness_from(mo->m, mo->x, self->mode));
-        if (self->most > 0 && !(self->stable < self->most))
-            self->stable = self->most;
+        bearable = motion_stable_step(mechanics_stiffness_from(mo->m, mo->x, self->mode));
+        self->stable = self->most > 0 && self->most < bearable ? self->most : bearable;
     }
     if (!isfinite(self->stable))
         self->stable = t1 - mo->time;
     plan(self, mo, t1);
+    return bearable >= least_step;
 }
 
 static void prepare_factors(splitting *self, const motion *mo) {
@@ -96,21 +100,23 @@ static void prepare_factors(splitting *self, const motion *mo) {
     const double *mass = mechanics_mass(mo->m);
     double drag = mechanics_drag(mo->m);
     for (size_t p = 0; p < mo->n; p++) {
-        double decay = Sleef_cinz_expd1_u10purec(-drag * self->h / mass[p]), kick = 0.5 * self->h / mass[p];
+        double rate = drag / mass[p], kick = 0.5 * self->h / mass[p];
+        double loss = Sleef_cinz_expm1d1_u10purec(-rate * self->h);
         for (size_t i = 3 * p; i < 3 * p + 3; i++) {
-            self->decay[i] = decay;
             self->kick[i] = kick;
+            self->decay[i] = 1 + loss;
+            self->flight[i] = rate > 0 ? -loss / rate : self->h;
         }
     }
     self->factors_for = self->h;
 }
 
-/* Is the trial state finite, with no particle moved by more than a quarter of its radius? */
+/* Is the trial state finite, with no particle moved by more than half its radius? */
 static bool is_sane(const splitting *self, const motion *mo) {
     const double *radius = mechanics_radius(mo->m);
     size_t far = 0;
     for (size_t p = 0; p < mo->n; p++) {
-        const double *x = self->x + 3 * p, *x0 = mo->x + 3 * p, limit = 0.25 * radius[p];
+        const double *x = self->x + 3 * p, *x0 = mo->x + 3 * p, limit = 0.5 * radius[p];
         double d[3] = {x[0] - x0[0], x[1] - x0[1], x[2] - x0[2]};
         far += d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= limit * limit ? 0 : 1;
     }
@@ -126,13 +132,13 @@ static bool has_finite_force(const splitting *self) {
 
 /* One trial of velocity Verlet; false: refused. */
 static bool try_verlet(splitting *self, motion *mo) {
-    const double half = 0.5 * self->h, *restrict kick = self->kick, *restrict decay = self->decay;
+    const double *restrict kick = self->kick, *restrict decay = self->decay, *restrict flight = self->flight;
     const double *restrict x0 = mo->x, *restrict v0 = mo->v, *restrict f0 = self->force;
     double *restrict x = self->x, *restrict v = self->v, *restrict f = self->trial_force;
     for (size_t i = 0; i < self->n; i++) {
-        double kicked = v0[i] + kick[i] * f0[i], damped = kicked * decay[i];
-        x[i] = x0[i] + half * kicked + half * damped;
-        v[i] = damped;
+        double kicked = v0[i] + kick[i] * f0[i];
+        x[i] = x0[i] + flight[i] * kicked;
+        v[i] = decay[i] * kicked;
     }
     if (!is_sane(self, mo))
         return false;
@@ -145,8 +151,9 @@ static bool try_verlet(splitting *self, motion *mo) {
 /* One trial of semi-implicit Euler; false: refused. */
 static bool try_euler(splitting *self, motion *mo) {
     for (size_t i = 0; i < self->n; i++) {
-        self->v[i] = (mo->v[i] + 2 * self->kick[i] * self->force[i]) * self->decay[i];
-        self->x[i] = mo->x[i] + self->h * self->v[i];
+        double kicked = mo->v[i] + 2 * self->kick[i] * self->force[i];
+        self->x[i] = mo->x[i] + self->flight[i] * kicked;
+        self->v[i] = self->decay[i] * kicked;
     }
     if (!is_sane(self, mo))
         return false;
@@ -169,26 +176,26 @@ static void accept(splitting *self, motion *mo, double t1) {
     }
 }
 
-static void begin(splitting *self, motion *mo, double t1) {
+/* A step to begin with; false when there is none. */
+static bool begin(splitting *self, motion *mo, double t1) {
     if (!self->started) {
         motion_force(mo, mo->x, self->force);
         memset(self->mode, 0, self->n * sizeof *self->mode);
         self->shorter = 1;
-        look(self, mo, t1);
         self->started = true;
-    } else if (self->fixed <= 0 && self->since_look >= STEPS_BETWEEN_LOOKS) {
-        look(self, mo, t1);
-    } else if (self->left == 0) {
-        plan(self, mo, t1);
+        return look(self, mo, t1);
     }
+    if (self->fixed <= 0 && self->since_look >= STEPS_BETWEEN_LOOKS)
+        return look(self, mo, t1);
+    if (self->left == 0)
+        plan(self, mo, t1);
+    return true;
 }
 
 static int step(splitting *self, motion *mo, double t1, bool (*attempt)(splitting *, motion *), diag *d) {
-    begin(self, mo, t1);
+    if (!begin(self, mo, t1))
+        return motion_fail_stiff(mo, motion_worst(mo, self->mode), least_step, d);
     for (;;) {
-        bool possible = self->fixed > 0 || self->h >= least_step || self->left == 1;
-        if (!possible || !isfinite(self->h))
-            return motion_fail(mo, motion_worst(mo, self->mode), least_step, d);
         prepare_factors(self, mo);
         if (attempt(self, mo)) {
             accept(self, mo, t1);
@@ -197,8 +204,8 @@ static int step(splitting *self, motion *mo, double t1, bool (*attempt)(splittin
         mo->rejected++;
         self->shorter *= 0.5;
         self->since_refusal = 0;
-        if (self->stable * self->shorter < least_step)
-            return motion_fail(mo, motion_worst(mo, self->force), least_step, d);
+        if (!(self->stable * self->shorter >= least_refused))
+            return motion_fail_thrown(mo, motion_worst(mo, self->force), least_refused, d);
         plan(self, mo, t1);
     }
 }
@@ -214,7 +221,7 @@ static int step_euler(void *self, motion *mo, double t1, diag *d) {
 const integrator_style integrator_verlet = {
     .name = "verlet",
     .summary = "velocity Verlet with exact damping",
-    .source = "Leimkuhler & Matthews 2013, without noise",
+    .source = "Stoermer-Verlet, damped flight exact",
     .order = 2,
     .caps = INTEGRATOR_EXACT_DAMPING,
     .create = create,
@@ -227,7 +234,7 @@ const integrator_style integrator_verlet = {
 const integrator_style integrator_euler = {
     .name = "euler",
     .summary = "semi-implicit Euler with exact damping",
-    .source = "symplectic Euler, damping split off",
+    .source = "symplectic Euler, damped flight exact",
     .order = 1,
     .caps = INTEGRATOR_EXACT_DAMPING,
     .create = create,

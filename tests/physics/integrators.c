@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Every record of the integrator table: its order on springs and damping, and what a step promises. */
+#include "check.h"
+#include "packing.h"
+
+#include "relax/integrator.h"
+
+/* A rod that spins, is stretched and drags on an anchor: springs and damping, and no two directions alike. */
+static packing make_rod(void) {
+    packing p = packing_create(1);
+    packing_rod(&p, (double[]){0, 0, 1}, (double[]){2.3, 0.4, 1.1}, 2, 0.8);
+    const double v[6] = {0, 30, 5, 0, -20, 10};
+    memcpy(p.c->particle.v, v, sizeof v);
+    uint32_t s = packing_spring(&p, 0, 0, SPRING_ANCHOR, 0, 2e4, 0.7);
+    p.c->spring.anchor[3 * s] = 0.2;
+    p.forces.term[FORCE_DAMPING].on = true;
+    return p;
+}
+
+static const double duration = 0.01;
+
+static int run(packing *p, relax_settings how, double time, relax_result *result) {
+    mechanics *m = packing_mechanics(p, NEIGHBOR_CELLS, 1);
+    int status = relax_run(m, &how, &(relax_goal){.time = time}, result, NULL);
+    mechanics_free(m);
+    return status;
+}
+
+static double distance_from(const packing *p, const double reference[6]) {
+    double sum = 0;
+    for (int i = 0; i < 6; i++)
+        sum += (p->c->particle.x[i] - reference[i]) * (p->c->particle.x[i] - reference[i]);
+    return sqrt(sum);
+}
+
+static double error_at(int kind, int steps, const double reference[6]) {
+    packing p = make_rod();
+    relax_result result;
+    assert_int_equal(
+        run(&p, (relax_settings){.integrator = (integrator_kind)kind, .step = duration / steps}, duration, &result),
+        SARCINA_OK);
+    assert_int_equal(result.steps, steps);
+    assert_int_equal(result.rejected, 0);
+    assert_true(result.time == duration);
+    double error = distance_from(&p, reference);
+    packing_free(&p);
+    return error;
+}
+
+static void test_order(void **state) {
+    (void)state;
+    packing p = make_rod();
+    const relax_settings exact = {.integrator = INTEGRATOR_RK8PD, .step = duration / 400};
+    assert_int_equal(run(&p, exact, duration, NULL), SARCINA_OK);
+    for (int kind = 0; kind < INTEGRATOR_COUNT; kind++) {
+        int order = integrator_styles[kind]->order, steps = order >= 8 ? 6 : order >= 4 ? 24 : order >= 2 ? 64 : 512;
+        double coarse = error_at(kind, steps, p.c->particle.x), fine = error_at(kind, 2 * steps, p.c->particle.x);
+        double slope = log2(coarse / fine);
+        if (fabs(slope - order) > 0.35)
+            fail_msg("%s: order %.2f, not %d (errors %.3g, %.3g um)", integrator_styles[kind]->name, slope, order,
+                     coarse, fine);
+    }
+    packing_free(&p);
+}
+
+/* Adaptive methods: smaller tolerance, smaller error, both of about the size asked for. */
+static void test_tolerance(void **state) {
+    (void)state;
+    packing p = make_rod();
+    assert_int_equal(run(&p, (relax_settings){.integrator = INTEGRATOR_RK8PD, .step = duration / 400}, duration, NULL),
+                     SARCINA_OK);
+    for (int kind = 0; kind < INTEGRATOR_COUNT; kind++) {
+        if (!(integrator_styles[kind]->caps & INTEGRATOR_ADAPTIVE))
+            continue;
+        double before = INFINITY;
+        for (double tolerance = 1e-2; tolerance > 1e-9; tolerance *= 1e-3) {
+            packing q = make_rod();
+            relax_result result;
+            relax_settings how = {.integrator = (integrator_kind)kind, .tolerance = tolerance};
+            assert_int_equal(run(&q, how, duration, &result), SARCINA_OK);
+            double error = distance_from(&q, p.c->particle.x);
+            assert_true(error < before && error < 10 * tolerance);
+            assert_true(result.time == duration && result.steps > 1);
+            before = error;
+            packing_free(&q);
+        }
+    }
+    packing_free(&p);
+}
+
+/* A step that can never be accepted: the state is to the bit as before, and the message names the cell. */
+static void test_failure_restores(void **state) {
+    (void)state;
+    for (int kind = 0; kind < INTEGRATOR_COUNT; kind++) {
+        packing p = make_rod();
+        p.forces.term[FORCE_GRAVITY].on = true;
+        p.forces.term[FORCE_GRAVITY].p[GRAVITY_G] = 1e306; /* any step ends beyond all numbers */
+        double before[12];
+        memcpy(before, p.c->particle.x, 6 * sizeof *before);
+        memcpy(before + 6, p.c->particle.v, 6 * sizeof *before);
+        mechanics *m = packing_mechanics(&p, NEIGHBOR_CELLS, 1);
+        diag d = {0};
+        relax_result result;
+        relax_settings how = {.integrator = (integrator_kind)kind, .most = 1e-3};
+        assert_int_equal(relax_run(m, &how, &(relax_goal){.time = 1}, &result, &d), SARCINA_NUMERICAL);
+        assert_memory_equal(p.c->particle.x, before, 6 * sizeof *before);
+        assert_memory_equal(p.c->particle.v, before + 6, 6 * sizeof *before);
+        assert_true(result.time == 0 && result.steps == 0 && result.rejected > 3);
+        if (!strstr(d.message, "cell 1: gravity"))
+            fail_msg("%s: %s", integrator_styles[kind]->name, d.message);
+        mechanics_free(m);
+        packing_free(&p);
+    }
+}
+
+/* A splitting that refuses steps and halves them goes where one goes that was told the smaller step at once. */
+static void test_refused_steps_leave_no_trace(void **state) {
+    (void)state;
+    for (int kind = INTEGRATOR_VERLET; kind <= INTEGRATOR_EULER; kind += INTEGRATOR_EULER - INTEGRATOR_VERLET) {
+        packing p = make_rod(), q = make_rod();
+        relax_result smooth;
+        double h = 0.16;
+        relax_settings how = {.integrator = (integrator_kind)kind, .step = h};
+        mechanics *m = packing_mechanics(&p, NEIGHBOR_CELLS, 1);
+        motion mo = {.m = m, .n = 2, .x = p.c->particle.x, .v = p.c->particle.v};
+        const integrator_style *style = integrator_styles[kind];
+        void *self = style->create(style, &how, &mo);
+        assert_int_equal(style->step(self, &mo, h, NULL), SARCINA_OK);
+        assert_true(mo.rejected >= 1);
+        style->destroy(self);
+        mechanics_free(m);
+        how.step = mo.time;
+        assert_int_equal(run(&q, how, mo.time, &smooth), SARCINA_OK);
+        assert_int_equal(smooth.steps, 1);
+        assert_memory_equal(p.c->particle.x, q.c->particle.x, 6 * sizeof(double));
+        assert_memory_equal(p.c->particle.v, q.c->particle.v, 6 * sizeof(double));
+        packing_free(&p);
+        packing_free(&q);
+    }
+}
+
+static void test_records(void **state) {
+    (void)state;
+    for (int kind = 0; kind < INTEGRATOR_COUNT; kind++) {
+        const integrator_style *s = integrator_styles[kind];
+        assert_true(s->name && s->summary && s->source && s->order > 0);
+        assert_true(s->create && s->step && s->reset && s->destroy);
+        assert_int_equal(integrator_find(s->name), kind);
+        assert_true(!(s->caps & INTEGRATOR_ADAPTIVE) || s->tolerance > 0);
+    }
+    assert_int_equal(integrator_find("leapfrog"), -1);
+    for (size_t i = 0; i < accuracy_preset_count; i++)
+        assert_true(accuracy_presets[i].name && accuracy_presets[i].summary &&
+                    accuracy_presets[i].settings.integrator < INTEGRATOR_COUNT);
+}
+
+/* Segments: the method begins anew, and ends exactly at the end. */
+static void test_segments(void **state) {
+    (void)state;
+    packing p = make_rod();
+    relax_result whole, parts;
+    relax_settings how = {.integrator = INTEGRATOR_DOPRI5, .tolerance = 1e-3};
+    assert_int_equal(run(&p, how, 0.1, &whole), SARCINA_OK);
+    packing q = make_rod();
+    how.segment = 0.02;
+    assert_int_equal(run(&q, how, 0.1, &parts), SARCINA_OK);
+    assert_true(whole.time == 0.1 && parts.time == 0.1);
+    assert_true(parts.evaluations >= whole.evaluations + 4 * 2); /* each start: first slope and first step */
+    assert_near(distance_from(&p, q.c->particle.x), 0, 1e-2);
+    packing_free(&p);
+    packing_free(&q);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_records),
+        cmocka_unit_test(test_order),
+        cmocka_unit_test(test_tolerance),
+        cmocka_unit_test(test_failure_restores),
+        cmocka_unit_test(test_refused_steps_leave_no_trace),
+        cmocka_unit_test(test_segments),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
