@@ -47,7 +47,7 @@ int units_read(units *u, const char *text, size_t n, units_value *out, diag *d);
 
 /* What may have been meant by a unit that has the wrong dimension ("m is metre; minutes are min"), or is unknown;
  * NULL: no idea. expected: the dimension due; NULL: not known. */
-const char *units_hint(const char *unit, size_t n, const dim *expected);
+const char *units_hint(const char *text, size_t n, const dim *expected);
 
 /* Names of the usual units of dimension d ("um", "nm" ...), for completion; returns how many were written. */
 size_t units_usual(dim d, const char *names[], size_t room);

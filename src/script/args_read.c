@@ -99,7 +99,7 @@ static const signature *choose_form(candidates *c, reader *r, bool *unknown, dia
 
 const signature *args_read_form(interp *in, reader *r, bool *unknown, diag *d) {
     word w;
-    candidates c;
+    candidates c = {.n = 0};
     *unknown = false;
     if (reader_peek(r, &w, d) != SARCINA_OK)
         return NULL;

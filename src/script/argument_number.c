@@ -188,7 +188,7 @@ int argument_read_cycles(args *a, const slot *s, const word *w, args_cycles_valu
     if (status)
         return status;
     if (!v.has_unit) {
-        double cycles;
+        double cycles = 0;
         status = argument_read_int(a, s, w, &cycles, d);
         out->cycles = status || cycles < 0 ? 0 : (uint64_t)cycles;
         if (!status && cycles < 0)
@@ -259,7 +259,7 @@ static int read_deviation(args *a, const slot *s, reader *r, argument *out, diag
 }
 
 static int read_law(args *a, const slot *s, spread_law law, argument *out, reader *r, diag *d) {
-    bool first, second;
+    bool first = false, second = false;
     int status = read_part(a, s, r, &out->range.a, &first, d);
     out->range.law = law;
     out->percent = first;

@@ -114,7 +114,7 @@ void variables_copy(variables *to, const variables *from) {
 static int no_variable(interp *in, const char *name, diag *d) {
     name_list l = {0};
     for (size_t i = 0; i < in->variables.count; i++)
-        names_add(&l, in->variables.list[i].name);
+        names_add(&l, in->variables.list[i].name); /* NOLINT: a NULL list has count 0 */
     ptrdiff_t row;
     if (value_find(name) || names_owner(in, name, &row)) {
         diag_error(d, "no variable '%s'; it is a value: write $(%s)", name, name);
