@@ -22,7 +22,7 @@ static int run_force(interp *in, const args *a, diag *d) {
         return SARCINA_OK;
     }
     const force_style *style = force_styles[args_style(a)];
-    style_numbers(a, style->params, style->nparams, term->on, term->p);
+    style_values_read(a, style->params, style->nparams, term->on, term->p);
     term->on = true;
     return SARCINA_OK;
 }

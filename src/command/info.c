@@ -36,7 +36,7 @@ static void write_parameters(const force_style *style, const double *p, char *ou
     out[0] = '\0';
     for (size_t i = 0; i < style->nparams && used < room; i++) {
         char name[64], kind[64];
-        style_param_name(&style->params[i], name);
+        style_values_name(&style->params[i], name);
         const char *colon = strchr(style->params[i].spec, ':') + 1;
         snprintf(kind, sizeof kind, "%.*s", (int)strcspn(colon, "[(~%!{"), colon);
         dim d = DIM_NONE;

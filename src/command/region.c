@@ -42,7 +42,7 @@ static const char *get_group(interp *in, size_t i) {
     return i <= s->species.count ? s->species.list[i - 1].name : s->regions.list[i - 1 - s->species.count].name;
 }
 
-int groups_members(interp *in, size_t i, const view *v, bool *flags, diag *d) {
+int session_group_members(interp *in, size_t i, const view *v, bool *flags, diag *d) {
     size_t nspecies = interp_scene(in)->species.count;
     if (i > nspecies)
         return region_members(in, i - 1 - nspecies, v, flags, d);
@@ -51,7 +51,8 @@ int groups_members(interp *in, size_t i, const view *v, bool *flags, diag *d) {
     return SARCINA_OK;
 }
 
-static const name_class group_class = {"group", "a group", true, true, count_groups, get_group, groups_members, NULL};
+static const name_class group_class = {"group", "a group", true, true, count_groups, get_group, session_group_members,
+                                       NULL};
 
 static int empty_interval(char axis, diag *d) {
     return diag_error(d, "the block is empty: %cLO is not below %cHI", axis, axis);

@@ -18,7 +18,7 @@ session *session_of(interp *in) {
 
 int session_members(interp *in, int group, bool *flags, diag *d) {
     view v = scene_view(interp_scene(in));
-    return groups_members(in, (size_t)group, &v, flags, d);
+    return session_group_members(in, (size_t)group, &v, flags, d);
 }
 
 char *session_file(const char *pattern, uint64_t step) {

@@ -31,7 +31,7 @@ session *session_of(interp *in);
 int session_members(interp *in, int group, bool *flags, diag *d);
 
 /* The same on a view that stands already; row as in the class. */
-int groups_members(interp *in, size_t row, const view *v, bool *flags, diag *d);
+int session_group_members(interp *in, size_t row, const view *v, bool *flags, diag *d);
 
 /* All that a restart file holds: journal, variables, state, where outputs stand. */
 int session_save(interp *in, const char *path, diag *d);

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-void style_param_name(const param *p, char name[64]) {
+void style_values_name(const param *p, char name[64]) {
     snprintf(name, 64, "%.*s", (int)strcspn(p->spec, "=:"), p->spec);
 }
 
@@ -29,13 +29,13 @@ static spread value_of(const args *a, const param *p, const char *name) {
 void style_values(const args *a, const param *params, size_t n, bool amending, spread *values) {
     for (size_t i = 0; i < n; i++) {
         char name[64];
-        style_param_name(&params[i], name);
+        style_values_name(&params[i], name);
         if (!amending || args_given(a, name))
             values[i] = value_of(a, &params[i], name);
     }
 }
 
-void style_numbers(const args *a, const param *params, size_t n, bool amending, double *values) {
+void style_values_read(const args *a, const param *params, size_t n, bool amending, double *values) {
     spread all[PARAM_COUNT_MAX];
     for (size_t i = 0; i < n; i++)
         all[i] = spread_fixed(values[i]);

@@ -6,12 +6,12 @@
 #include "script/command.h"
 
 /* The name at the head of a param's specification. */
-void style_param_name(const param *p, char name[64]);
+void style_values_name(const param *p, char name[64]);
 
 /* values[i] for each of n params: what was given; and, unless amending, the defaults of the others (NaN without). */
 void style_values(const args *a, const param *params, size_t n, bool amending, spread *values);
 
 /* The same for a force term, whose parameters are numbers. */
-void style_numbers(const args *a, const param *params, size_t n, bool amending, double *values);
+void style_values_read(const args *a, const param *params, size_t n, bool amending, double *values);
 
 #endif
