@@ -332,6 +332,12 @@ int units_read(units *u, const char *text, size_t n, units_value *out, diag *d) 
     return SARCINA_OK;
 }
 
+bool units_is_name(units *u, const char *name) {
+    ut_unit *parsed = ut_parse(u->system, name, UT_ASCII);
+    ut_free(parsed);
+    return parsed != NULL;
+}
+
 /* ---- hints ---- */
 
 static const struct {

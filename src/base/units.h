@@ -45,6 +45,9 @@ typedef struct units_value {
 /* Reads all n bytes as a number with an optional unit. Errors: not a number, not a unit, not finite. */
 int units_read(units *u, const char *text, size_t n, units_value *out, diag *d);
 
+/* Whether UDUNITS knows the word as a unit, of whatever dimension: h, C, dt. */
+bool units_is_name(units *u, const char *name);
+
 /* What may have been meant by a unit that has the wrong dimension ("m is metre; minutes are min"), or is unknown;
  * NULL: no idea. expected: the dimension due; NULL: not known. */
 const char *units_hint(const char *text, size_t n, const dim *expected);

@@ -45,23 +45,26 @@ static void narrow(candidates *c, size_t i, const word *w) {
     *c = literal.n ? literal : other;
 }
 
+static int by_name(const void *a, const void *b) {
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
 static int refuse_form(const candidates *before, size_t i, reader *r, const word *w, diag *d) {
     name_list l = {0};
     char all[512] = "";
-    for (size_t k = 0, used = 0; k < before->n; k++) {
-        const signature *s = before->list[k];
-        size_t seen = l.n;
-        if (is_literal(s, i))
-            names_add(&l, s->head[i].name);
-        if (l.n > seen && used + 60 < sizeof all)
-            used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", seen ? " | " : "", s->head[i].name);
-    }
+    for (size_t k = 0; k < before->n; k++)
+        if (is_literal(before->list[k], i))
+            names_add(&l, before->list[k]->head[i].name);
+    qsort(l.list, l.n, sizeof *l.list, by_name);
+    for (size_t k = 0, used = 0; k < l.n && used + 60 < sizeof all; k++)
+        used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", k ? " | " : "", l.list[k]);
     if (w->text)
         diag_error(d, "%s: expected %s, not '%s'", before->list[0]->head[0].name, all, w->text);
     else
         diag_error(d, "%s: expected %s", before->list[0]->head[0].name, all);
-    if (w->text && l.n > 1)
-        names_suggest(&l, w->text, "choices", d);
+    const char *near = w->text ? names_nearest(&l, w->text) : NULL;
+    if (near)
+        diag_help(d, "did you mean '%s'?", near);
     diag_place(d, reader_word_span(r, w));
     return SARCINA_ERROR;
 }
@@ -97,6 +100,19 @@ static const signature *choose_form(candidates *c, reader *r, bool *unknown, dia
     return c->list[0];
 }
 
+/* A check goes on behind a command whose form is wrong: the name it would have defined is not reported as missing. */
+static void doubt_names(interp *in, const candidates *c, reader *r) {
+    word w;
+    for (size_t i = 1; reader_peek(r, &w, NULL) == SARCINA_OK && w.text; i++) {
+        bool defines = false;
+        for (size_t k = 0; k < c->n; k++)
+            defines = defines || (i < c->list[k]->nhead && c->list[k]->head[i].kind == SLOT_NEW);
+        if (defines)
+            names_doubt(in, w.text);
+        reader_take(r, &w);
+    }
+}
+
 const signature *args_read_form(interp *in, reader *r, bool *unknown, diag *d) {
     word w;
     candidates c = {.n = 0};
@@ -106,8 +122,11 @@ const signature *args_read_form(interp *in, reader *r, bool *unknown, diag *d) {
     find_forms(in->host->commands, w.text, &c);
     reader_take(r, &w);
     size_t at = r->at;
+    candidates all = c;
     const signature *form = choose_form(&c, r, unknown, d);
     r->at = at;
+    if (!form && in->check.on)
+        doubt_names(in, &all, r);
     return form;
 }
 
@@ -161,6 +180,14 @@ static int read_head(args *a, reader *r, diag *d) {
     return f->off_at == f->nhead ? read_off(a, r, &off, d) : SARCINA_OK;
 }
 
+/* A keyword that must still come: what was typed in its place may have meant it. */
+static const char *missing_keyword(const args *a) {
+    for (size_t i = 0; i < a->form->nkey; i++)
+        if (a->form->key[i].required && !a->values[a->form->nhead + i].given)
+            return a->form->key[i].name;
+    return NULL;
+}
+
 static int refuse_keyword(args *a, reader *r, const word *w, diag *d) {
     const signature *f = a->form;
     name_list l = {0};
@@ -172,7 +199,11 @@ static int refuse_keyword(args *a, reader *r, const word *w, diag *d) {
         diag_help(d, "a unit follows its number without a blank");
     else if (w->n == 1 && strchr("+-*/%^<>=!", *w->text))
         diag_help(d, "blanks stand in a one-word expression only inside ( ) or quotes");
-    names_suggest(&l, w->text, "keywords", d);
+    const char *missing = missing_keyword(a);
+    if (missing && !names_nearest(&l, w->text))
+        diag_help(d, "did you mean '%s'?", missing);
+    else
+        names_suggest(&l, w->text, "keywords", d);
     diag_place(d, reader_word_span(r, w));
     return SARCINA_ERROR;
 }
@@ -223,7 +254,7 @@ static int refuse_missing(const args *a, const slot *s, reader *r, diag *d) {
 
 static int check_required(args *a, reader *r, diag *d) {
     const signature *f = a->form;
-    bool amends = f->form.exists && f->form.exists(a->in, a);
+    bool amends = a->nameless || (f->form.exists && f->form.exists(a->in, a));
     for (size_t i = 0; i < f->nkey && !amends && !a->off; i++) {
         const slot *s = &f->key[i];
         bool given = a->values[f->nhead + i].given;

@@ -40,7 +40,12 @@ int argument_next_word(args *a, const slot *s, reader *r, word *w, diag *d) {
     int status = reader_peek(r, w, d);
     if (status || w->text)
         return status;
-    diag_error(d, "%s needs %s", a->form->head[0].name, s->name);
+    if (isupper((unsigned char)*s->name))
+        diag_error(d, "%s needs %s", a->form->head[0].name, s->name);
+    else
+        diag_error(d, "%s: expected %s %s", s->name, strchr("aeiou", *s->kind_name) ? "an" : "a", s->kind_name);
+    if (s->kind == SLOT_COLOR)
+        diag_help(d, "# begins a comment: a colour code stands in quotes, \"#ff8800\"");
     size_t end = reader_end(r);
     diag_place(d, reader_span(r, end, end));
     return SARCINA_ERROR;
@@ -69,8 +74,9 @@ static int read_choice(const slot *s, const word *w, argument *out, diag *d) {
     for (size_t i = 0, used = 0; i < s->nchoices && used + 60 < sizeof all; i++)
         used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", i ? " | " : "", s->choices[i]);
     diag_error(d, "%s: expected %s, not '%s'", s->name, all, w->text);
-    if (l.n > 1)
-        names_suggest(&l, w->text, "choices", d);
+    const char *near = names_nearest(&l, w->text);
+    if (near)
+        diag_help(d, "did you mean '%s'?", near);
     return SARCINA_ERROR;
 }
 
@@ -100,7 +106,7 @@ static int read_analysis(const slot *s, const word *w, diag *d) {
 static int read_new(args *a, const slot *s, const word *w, diag *d) {
     const name_class *c = names_class(a->in, s->kind_name);
     if (w->unknown) {
-        a->guessed = true;
+        a->nameless = true;
         return SARCINA_OK;
     }
     free(a->defines);
@@ -115,8 +121,7 @@ static int read_new(args *a, const slot *s, const word *w, diag *d) {
 static int read_name(args *a, const slot *s, const word *w, argument *out, diag *d) {
     out->number = -1;
     out->all = s->star && strcmp(w->text, "*") == 0;
-    if (w->unknown)
-        a->guessed = true;
+    a->nameless = a->nameless || w->unknown;
     if (out->all || w->unknown)
         return SARCINA_OK;
     if (strcmp(s->kind_name, "variable") == 0) {
@@ -131,7 +136,7 @@ static int read_name(args *a, const slot *s, const word *w, argument *out, diag 
     if (out->number >= 0)
         return SARCINA_OK;
     if (names_is_doubtful(a->in, w->text)) {
-        a->guessed = true;
+        a->nameless = true;
         return SARCINA_OK;
     }
     return names_refuse(a->in, c, w->text, d);
@@ -405,6 +410,11 @@ static int read_exprs(args *a, const slot *s, argument *out, reader *r, diag *d)
 
 /* ---- the kinds ---- */
 
+static bool is_lower_end(const slot *s) {
+    size_t n = strlen(s->name);
+    return n >= 2 && strcmp(s->name + n - 2, "LO") == 0;
+}
+
 /* Kinds that are one word, already read. */
 static int read_word(args *a, const slot *s, const word *w, argument *out, diag *d) {
     switch (s->kind) {
@@ -412,7 +422,8 @@ static int read_word(args *a, const slot *s, const word *w, argument *out, diag 
         return argument_read_number(a, s, w, &out->number, &out->percent, d);
     case SLOT_BOUND:
         if (strcmp(w->text + strspn(w->text, "+-"), "INF") == 0) {
-            out->number = *w->text == '-' ? -INFINITY : INFINITY;
+            /* as in LAMMPS, INF INF is all of space */
+            out->number = *w->text == '-' || is_lower_end(s) ? -INFINITY : INFINITY;
             return SARCINA_OK;
         }
         return argument_read_number(a, s, w, &out->number, &out->percent, d);

@@ -42,6 +42,7 @@ struct args {
     const signature *form;
     argument *values; /* head, then keywords */
     bool off;
+    bool nameless; /* a check does not know a name it refers to: it is read, but not run */
     bool unknown;  /* a check does not know some words: what follows was not looked at */
     bool guessed;  /* a check does not know some value: a plausible one stands for it */
     char *defines; /* the name a +class argument read; NULL */

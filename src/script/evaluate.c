@@ -151,7 +151,7 @@ static int power_dim(const node *n, const operand *a, const operand *b, operand 
     dim x = a->d;
     double t[3] = {x.length * p, x.mass * p, x.time * p};
     for (int k = 0; k < 3; k++)
-        if (b->extent != OPERAND_ONE || b->unknown || fabs(t[k] - nearbyint(t[k])) > 1e-9 || fabs(t[k]) > 30000) {
+        if (expr_node_can_change(n->args[1]) || fabs(t[k] - nearbyint(t[k])) > 1e-9 || fabs(t[k]) > 30000) {
             diag_error(d, "a %s needs a constant exponent: a small whole number or simple fraction", dim_name(x, name));
             return evaluate_refuse(n, d);
         }
@@ -240,11 +240,13 @@ static bool is_decided(const node *n, const operand *left) {
 static int evaluate_pair(evaluation *e, const node *n, operand *out, diag *d) {
     operand a = {0}, b = {0};
     int status = evaluate_node(e, n->args[0], &a, d);
-    bool decided = !status && is_decided(n, &a), types_only = e->types_only;
-    e->types_only = types_only || decided;
+    bool decided = !status && is_decided(n, &a);
+    int untaken = e->untaken;
+    /* an exponent gives the dimension, so it is always known */
+    e->untaken = n->op == OP_POW ? 0 : untaken + decided;
     if (!status)
         status = evaluate_node(e, n->args[1], &b, d);
-    e->types_only = types_only;
+    e->untaken = untaken;
     if (!status)
         status = evaluate_binary(e, n, &a, &b, out, d);
     if (!status && decided && out->extent == OPERAND_ONE)
@@ -267,6 +269,7 @@ int evaluate_node(evaluation *e, const node *n, operand *out, diag *d) {
     case NODE_NUMBER:
         *out = operand_number(n->si, n->d);
         out->plain = n->plain;
+        out->unknown = e->untaken > 0;
         return SARCINA_OK;
     case NODE_TEXT:
         *out = operand_text(n->text);

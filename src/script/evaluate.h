@@ -11,6 +11,7 @@
 typedef struct evaluation {
     interp *in;
     bool types_only; /* what depends on the scene is unknown: dimensions are checked, little is computed */
+    int untaken;     /* > 0: a part that does not count (0 && 1/0): its numbers are unknown */
     bool lenient;    /* names that are not there yet are no error */
     bool repeatable; /* random() is refused */
     int per_cell;    /* > 0: random() draws once a cell */

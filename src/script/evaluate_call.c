@@ -130,7 +130,7 @@ static int draw_all(evaluation *e, const node *n, const operand *a, operand *out
     if (e->per_cell && out->extent == OPERAND_ONE)
         out->extent = OPERAND_CELLS;
     out->plain = false;
-    out->unknown = out->unknown || e->types_only || e->in->check.on;
+    out->unknown = out->unknown || e->types_only || e->untaken || e->in->check.on;
     if (out->unknown)
         return SARCINA_OK;
     uint64_t look = e->in->draws++;
@@ -161,7 +161,7 @@ static int ask(evaluation *e, const node *n, const function_style *f, const oper
     }
     *out = operand_unknown(OPERAND_ONE, DIM_NONE);
     out->is_truth = true;
-    if (a->unknown || e->types_only || e->in->check.on)
+    if (a->unknown || e->types_only || e->untaken || e->in->check.on)
         return SARCINA_OK;
     ptrdiff_t row;
     bool yes;
@@ -180,14 +180,14 @@ static int ask(evaluation *e, const node *n, const function_style *f, const oper
 /* ternary(test, yes, no): only the one that is taken is computed. */
 static int choose(evaluation *e, const node *n, operand *out, diag *d) {
     operand test = {0}, yes = {0}, no = {0};
-    bool types_only = e->types_only;
+    int untaken = e->untaken;
     int status = evaluate_node(e, n->args[0], &test, d);
     bool one = test.extent == OPERAND_ONE && !test.unknown, holds = one && test.one != 0 && !isnan(test.one);
-    e->types_only = types_only || (one && !holds);
+    e->untaken = untaken + (one && !holds);
     status = status ? status : evaluate_node(e, n->args[1], &yes, d);
-    e->types_only = types_only || (one && holds);
+    e->untaken = untaken + (one && holds);
     status = status ? status : evaluate_node(e, n->args[2], &no, d);
-    e->types_only = types_only;
+    e->untaken = untaken;
     bool adapts = status || (yes.is_text == no.is_text && operand_adapt(e->in, &yes, &no)) || yes.wild || no.wild;
     if (!adapts) {
         char left[48], right[48];
@@ -291,7 +291,7 @@ static double reduce(evaluation *e, const reduction_style *r, const operand *x, 
 
 /* Checks what is reduced and by what. */
 static int check_reduction(const node *n, const reduction_style *r, const operand *x, const operand *where, diag *d) {
-    const node *what = n->args[n->nargs - 1];
+    const node *what = n->args[r->rule == REDUCTION_QUANTILE];
     char name[48];
     bool counts = r->rule == REDUCTION_COUNT || r->rule == REDUCTION_FRACTION;
     if (x->extent == OPERAND_ONE && !x->wild)
@@ -325,19 +325,21 @@ static int probability(evaluation *e, const node *n, double *p, diag *d) {
 int evaluate_reduction(evaluation *e, const node *n, operand *out, diag *d) {
     const reduction_style *r = reduction_find(n->text);
     bool quantile = r->rule == REDUCTION_QUANTILE;
-    if (n->nargs != 1 + quantile)
+    int last = quantile; /* the argument that is reduced; a truth behind it is its where */
+    const node *test = n->where ? n->where : n->nargs == last + 2 ? n->args[last + 1] : NULL;
+    if (n->nargs != last + 1 + (test && !n->where))
         return refuse_arguments(n, r->signature, d);
     operand x = {0}, where = {0};
     double p = 0;
     int status = quantile ? probability(e, n->args[0], &p, d) : SARCINA_OK;
     e->per_cell++;
     if (!status)
-        status = evaluate_node(e, n->args[n->nargs - 1], &x, d);
-    if (!status && n->where)
-        status = evaluate_node(e, n->where, &where, d);
+        status = evaluate_node(e, n->args[last], &x, d);
+    if (!status && test)
+        status = evaluate_node(e, test, &where, d);
     e->per_cell--;
     if (!status)
-        status = check_reduction(n, r, &x, n->where ? &where : NULL, d);
+        status = check_reduction(n, r, &x, test ? &where : NULL, d);
     bool pure = r->rule == REDUCTION_COUNT || r->rule == REDUCTION_FRACTION;
     if (!status) {
         *out = operand_number(0, pure ? DIM_NONE : x.d);
@@ -346,7 +348,7 @@ int evaluate_reduction(evaluation *e, const node *n, operand *out, diag *d) {
         out->unknown = x.unknown || where.unknown;
     }
     if (!status && !out->unknown)
-        out->one = reduce(e, r, &x, n->where ? &where : NULL, p);
+        out->one = reduce(e, r, &x, test ? &where : NULL, p);
     operand_free(&x);
     operand_free(&where);
     return status;

@@ -17,7 +17,7 @@
 enum { VARIABLE_DEPTH_MAX = 50 };
 
 static bool is_unknown_scene(const evaluation *e) {
-    return e->types_only || e->in->check.on;
+    return e->types_only || e->untaken || e->in->check.on;
 }
 
 /* ---- values per cell ---- */
@@ -144,6 +144,7 @@ static int value_of_variable(evaluation *e, const node *n, variable *var, operan
     }
     *out = operand_text(var->text);
     operand_parse(e->in, out);
+    out->unknown = e->untaken > 0;
     return SARCINA_OK;
 }
 

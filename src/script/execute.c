@@ -62,7 +62,10 @@ void execute_pop(interp *in) {
 
 static const char *const words[] = {"if", "for", "while", "repeat", "end", "elif", "else", "break", "continue"};
 
-static int refuse_command(interp *in, const word *w, diag *d) {
+static int refuse_command(interp *in, reader *r, const word *w, diag *d) {
+    word name; /* what it would have defined */
+    if (in->check.on && reader_peek(r, &name, NULL) == SARCINA_OK && name.text)
+        names_doubt(in, name.text);
     name_list l = {0};
     const command_table *t = in->host->commands;
     for (size_t i = 0; i < t->count; i++)
@@ -108,7 +111,7 @@ static int check_warned(interp *in, diag *d) {
 
 static int call(interp *in, const command_form *form, const args *a, diag *d) {
     bool shadow = form->flags & COMMAND_SHADOW;
-    if (in->check.on && (!shadow || a->unknown || a->redefines))
+    if (in->check.on && (!shadow || a->unknown || a->nameless || a->redefines))
         return SARCINA_OK;
     if ((form->flags & COMMAND_UNSAFE) && in->host->safe)
         return diag_error(d, "%s is refused under -safe", args_head(a));
@@ -131,7 +134,7 @@ static int run_form(interp *in, const signature *form, reader *r, diag *d) {
     } else {
         status = call(in, &form->form, &a, d);
     }
-    if (in->check.on && a.defines && (status || a.unknown))
+    if (in->check.on && a.defines && (status || a.unknown || a.nameless))
         names_doubt(in, a.defines);
     if (!status && (form->form.flags & COMMAND_JOURNAL) && !in->check.on)
         keep_journal(in, r);
@@ -166,7 +169,7 @@ static int dispatch(interp *in, reader *r, diag *d) {
     else if (strcmp(w.text, "break") == 0 || strcmp(w.text, "continue") == 0)
         status = request_loop(in, r, *w.text == 'b' ? LOOP_BREAK : LOOP_CONTINUE, &w, d);
     else if (w.quote || !is_command(in, w.text))
-        status = refuse_command(in, &w, d);
+        status = refuse_command(in, r, &w, d);
     else {
         r->at = at;
         const signature *form = args_read_form(in, r, &unknown, d);

@@ -53,17 +53,17 @@ const char *expr_text(const expr *e) {
     return e->text;
 }
 
-static bool node_can_change(const node *n) {
+bool expr_node_can_change(const node *n) {
     if (n->kind == NODE_UNKNOWN || n->kind == NODE_CALL)
         return true;
     if (n->kind == NODE_NAME && strcmp(n->text, "pi") != 0)
         return true;
     for (int i = 0; i < n->nargs; i++)
-        if (node_can_change(n->args[i]))
+        if (expr_node_can_change(n->args[i]))
             return true;
     return false;
 }
 
 bool expr_can_change(const expr *e) {
-    return node_can_change(e->root);
+    return expr_node_can_change(e->root);
 }

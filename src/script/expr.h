@@ -87,6 +87,7 @@ expr *expr_of_text(interp *in, const char *text, diag *d);
 
 /* Whether a name stands in it whose value may change: not the constants of a replaced $. */
 bool expr_can_change(const expr *e);
+bool expr_node_can_change(const node *n);
 
 /* Checks types without computing: the expression must be one value (or one a cell); its dimension goes to *d0. */
 typedef struct expr_type {

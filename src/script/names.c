@@ -113,12 +113,12 @@ void names_add(name_list *l, const char *name) {
 }
 
 /* name_list holds pointers to names: records of one member. */
-static const char *nearest(const name_list *l, const char *typed) {
+const char *names_nearest(const name_list *l, const char *typed) {
     return table_nearest(l->list, l->n, sizeof *l->list, typed);
 }
 
 void names_suggest(const name_list *l, const char *typed, const char *what, diag *d) {
-    const char *near = typed ? nearest(l, typed) : NULL;
+    const char *near = typed ? names_nearest(l, typed) : NULL;
     if (near) {
         diag_help(d, "did you mean '%s'?", near);
         return;
@@ -143,23 +143,17 @@ void names_of_values(interp *in, name_list *l) {
     names_add(l, "pi");
 }
 
-/* Whether the name alone is a unit, as `h` or `dt` are for UDUNITS. */
-static bool is_unit(interp *in, const char *name) {
-    unit u;
-    return units_find(in->host->units, name, strlen(name), &u, NULL) == SARCINA_OK;
-}
-
 int names_refuse_value(interp *in, const char *name, diag *d) {
     name_list l = {0};
     names_of_values(in, &l);
-    const char *near = nearest(&l, name);
+    const char *near = names_nearest(&l, name);
     const function_style *f = function_find(name);
     const reduction_style *r = reduction_find(name);
     if (f || r)
         return diag_error(d, "'%s' is a function: %s", name, f ? f->signature : r->signature);
     if (strcmp(name, "PI") == 0)
         return diag_error(d, "no value 'PI'; the constant is pi");
-    if (!is_unit(in, name)) {
+    if (!units_is_name(in->host->units, name)) {
         diag_error(d, "no value '%s'", name);
         if (near)
             diag_help(d, "did you mean '%s'?", near);

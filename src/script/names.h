@@ -37,6 +37,9 @@ typedef struct name_list {
 
 void names_add(name_list *l, const char *name);
 
+/* The name nearest to what was typed; NULL when none is near. */
+const char *names_nearest(const name_list *l, const char *typed);
+
 /* Adds help to an error: "did you mean 'x'?", else the choices when there are at most 12. what: "species". */
 void names_suggest(const name_list *l, const char *typed, const char *what, diag *d);
 
