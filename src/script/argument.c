@@ -204,8 +204,6 @@ static int read_expr(args *a, const slot *s, argument *out, reader *r, diag *d) 
         diag_place(d, reader_span(r, r->at, r->at + 1));
         status = SARCINA_ERROR;
     }
-    if (type.unknown)
-        a->guessed = a->guessed || a->in->check.on;
     keep_expr(out, e);
     return status;
 }
