@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sourced by scripts/test. Counts what passed and failed over programs that count for themselves: cmocka's, `sarcina
-# -test` and the checks, whose last word is "N passed, N failed". A program that says neither counts as one test.
+# -test` and the checks, whose last line ends in "N passed, N failed". A program that says neither counts as one test.
 
 tally_passed=0
 tally_failed=0
@@ -20,8 +20,10 @@ tally_numbers() {
     awk -v status="$1" '
         /^\[  PASSED  \] [0-9]+ test/ { passed += $4; said = 1 }
         /^\[  FAILED  \] [0-9]+ test/ { failed += $4; said = 1 }
-        /^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3; said = 1 }
+        /(^| )[0-9]+ passed, [0-9]+ failed$/ { last_passed = $(NF - 3); last_failed = $(NF - 1); said = 1 }
         END {
+            passed += last_passed
+            failed += last_failed
             if (!said && !status)
                 passed = 1
             # a crash, a leak, a time-out: nothing that the program itself could count
@@ -53,14 +55,16 @@ tally_ctest() {
         function count() {
             if (!said)
                 passed += good
+            passed += last_passed
+            failed_here += last_failed
             if (!good && !failed_here)
                 failed_here = 1
             failed += failed_here
         }
-        /^[0-9]+\/[0-9]+ Testing: / { said = failed_here = 0 }
+        /^[0-9]+\/[0-9]+ Testing: / { said = failed_here = last_passed = last_failed = 0 }
         /^\[  PASSED  \] [0-9]+ test/ { passed += $4; said = 1 }
         /^\[  FAILED  \] [0-9]+ test/ { failed_here += $4; said = 1 }
-        /^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed_here += $3; said = 1 }
+        /(^| )[0-9]+ passed, [0-9]+ failed$/ { last_passed = $(NF - 3); last_failed = $(NF - 1); said = 1 }
         /^Test Passed\.$/ { good = 1; count() }
         /^Test (Failed|time-out|not run)|^Test .*(Exception|Timeout|SIGNAL)/ { good = 0; count() }
         END { print passed + 0, failed + 0 }' "$log")
