@@ -8,6 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
+void diag_trace(const char *format); /* called by base/diag.c */
+
 void diag_trace(const char *format) {
     const char *path = getenv("SARCINA_MESSAGES");
     int file = path ? open(path, O_WRONLY | O_CREAT | O_APPEND, 0666) : -1;
