@@ -5,6 +5,7 @@
 #include "command/output_list.h"
 
 #include "base/alloc.h"
+#include "base/path.h"
 #include "base/table.h"
 #include "output/field.h"
 
@@ -162,7 +163,7 @@ static int check_group(const value_style *style, const args *a, diag *d) {
 static int read_file(outputs *o, const args *a, output_analysis *p, diag *d) {
     const char *path = args_text(a, "file");
     uint64_t step;
-    int status = output_list_knows(a, "file") ? stream_check_path(path, d) : SARCINA_OK;
+    int status = output_list_knows(a, "file") ? path_check(path, d) : SARCINA_OK;
     if (status) {
         diag_place(d, args_span(a, "file"));
         return status;

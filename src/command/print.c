@@ -2,6 +2,7 @@
 /* print TEXT [file F | append F] [screen yes|no]. */
 #include "command/commands.h"
 
+#include "base/path.h"
 #include "base/table.h"
 
 #include <errno.h>
@@ -12,11 +13,12 @@ static int write_file(const args *a, const char *key, const char *mode, const ch
     if (!args_given(a, key))
         return SARCINA_OK;
     const char *path = args_text(a, key);
-    FILE *f = fopen(path, mode);
+    FILE *f = path_open(path, mode, d);
     bool written = f && fprintf(f, "%s\n", text) >= 0;
     if (f && fclose(f) == 0 && written)
         return SARCINA_OK;
-    diag_error(d, "cannot write '%s': %s", path, strerror(errno));
+    if (f)
+        path_error(path, d);
     diag_place(d, args_span(a, key));
     return SARCINA_ERROR;
 }

@@ -4,6 +4,7 @@
 #include "command/output_list.h"
 
 #include "base/alloc.h"
+#include "base/path.h"
 #include "base/table.h"
 
 #include <stdlib.h>
@@ -104,7 +105,7 @@ static void set_suffixes(outputs *o, bool on) {
 
 static int set_file(outputs *o, const args *a, diag *d) {
     const char *path = args_text(a, "file");
-    int status = path && output_list_knows(a, "file") ? stream_check_path(path, d) : SARCINA_OK;
+    int status = path && output_list_knows(a, "file") ? path_check(path, d) : SARCINA_OK;
     if (status) {
         diag_place(d, args_span(a, "file"));
         return status;

@@ -2,6 +2,7 @@
 #include "engine/archive.h"
 
 #include "base/alloc.h"
+#include "base/path.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -79,16 +80,16 @@ static bool write_blocks(const archive *a, FILE *f) {
 
 int archive_write(const archive *a, const char *path, diag *d) {
     char *temporary = alloc_format("%s.part", path);
-    FILE *f = fopen(temporary, "wb");
+    FILE *f = path_make_folders(path, d) ? NULL : fopen(temporary, "wb");
     bool good = f && write_blocks(a, f);
     if (f)
         good = fclose(f) == 0 && good;
     good = good && rename(temporary, path) == 0;
-    int problem = errno;
+    int status = good ? SARCINA_OK : path_error(path, d);
     if (!good && f)
         remove(temporary);
     free(temporary);
-    return good ? SARCINA_OK : diag_error(d, "cannot write '%s': %s", path, strerror(problem));
+    return status;
 }
 
 /* One block from f; *last at the end mark. False: the file is cut short or damaged. */

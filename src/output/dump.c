@@ -2,6 +2,7 @@
 #include "output/dump.h"
 
 #include "base/alloc.h"
+#include "base/path.h"
 #include "base/table.h"
 #include "output/field.h"
 #include "output/dump/styles.h"
@@ -56,7 +57,7 @@ int dump_check(int style, const char *pattern, bool now, diag *d) {
         return diag_error(d, "a dump of style %s writes one file a step: '%s' needs a * where the step goes", s->name,
                           pattern);
     char *name = dump_file_name(pattern, 0, 0);
-    int status = stream_check_path(name, d);
+    int status = path_check(name, d);
     free(name);
     return status;
 }
@@ -111,14 +112,14 @@ int dump_write_now(int style, const char *path, const dump_frame *f, diag *d) {
     if (s->missing)
         return diag_error(d, "%s", s->missing);
     if (s->draw)
-        return s->draw(&frame, path, d);
-    FILE *out = fopen(path, "w");
+        return path_make_folders(path, d) ? SARCINA_ERROR : s->draw(&frame, path, d);
+    FILE *out = path_open(path, "w", d);
     if (!out)
-        return diag_error(d, "cannot write '%s': %s", path, strerror(errno));
+        return SARCINA_ERROR;
     int status = s->write(&frame, out, d);
     bool failed = ferror(out) != 0;
     if ((fclose(out) || failed) && !status)
-        status = diag_error(d, "cannot write '%s': %s", path, strerror(errno));
+        status = path_error(path, d);
     return status;
 }
 

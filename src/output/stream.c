@@ -2,6 +2,7 @@
 #include "output/stream.h"
 
 #include "base/alloc.h"
+#include "base/path.h"
 
 #include <errno.h>
 #include <inttypes.h>
@@ -41,31 +42,6 @@ void stream_free(stream *s) {
 
 const char *stream_path(const stream *s) {
     return s->path;
-}
-
-static int cannot_write(const char *path, diag *d) {
-    return diag_error(d, "cannot write '%s': %s", path, strerror(errno));
-}
-
-int stream_check_path(const char *path, diag *d) {
-    struct stat there;
-    if (stat(path, &there) == 0) {
-        if (S_ISDIR(there.st_mode))
-            errno = EISDIR;
-        else if (access(path, W_OK) == 0)
-            return SARCINA_OK;
-        return cannot_write(path, d);
-    }
-    const char *slash = strrchr(path, '/');
-    char *folder = !slash ? alloc_copy(".") : alloc_copy_n(path, slash == path ? 1 : (size_t)(slash - path));
-    bool good = stat(folder, &there) == 0;
-    if (good && !S_ISDIR(there.st_mode)) {
-        errno = ENOTDIR;
-        good = false;
-    }
-    good = good && access(folder, W_OK | X_OK) == 0;
-    free(folder);
-    return good ? SARCINA_OK : cannot_write(path, d);
 }
 
 /* The column-th field of a line of a CSV as a step; quoted fields may hold commas. */
@@ -118,7 +94,7 @@ static int shorten(stream *s, uint64_t keep, diag *d) {
     rewind(s->file);
     off_t end = find_end(s, s->file, keep);
     if (fflush(s->file) || ftruncate(fileno(s->file), end) || fseeko(s->file, end, SEEK_SET))
-        return cannot_write(s->path, d);
+        return path_error(s->path, d);
     return SARCINA_OK;
 }
 
@@ -128,9 +104,9 @@ int stream_open(stream *s, diag *d) {
     s->file = s->rewinds ? fopen(s->path, "r+") : NULL;
     bool begun = !s->file;
     if (begun)
-        s->file = fopen(s->path, "w+");
+        s->file = path_open(s->path, "w+", d);
     if (!s->file)
-        return cannot_write(s->path, d);
+        return SARCINA_ERROR;
     return begun ? SARCINA_OK : shorten(s, s->keep, d);
 }
 
@@ -147,7 +123,7 @@ FILE *stream_file(const stream *s) {
 }
 
 int stream_flush(stream *s, diag *d) {
-    return fflush(s->file) || ferror(s->file) ? cannot_write(s->path, d) : SARCINA_OK;
+    return fflush(s->file) || ferror(s->file) ? path_error(s->path, d) : SARCINA_OK;
 }
 
 int stream_end(stream *s, uint64_t step, diag *d) {

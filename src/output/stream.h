@@ -41,7 +41,4 @@ int stream_flush(stream *s, diag *d);
 /* Drops the blocks after a step from an open stream; one not yet open does so when it opens. */
 int stream_rewind(stream *s, uint64_t step, diag *d);
 
-/* Can a file of this name be written here? Checked without touching it. */
-int stream_check_path(const char *path, diag *d);
-
 #endif

@@ -34,7 +34,7 @@ void thermo_set_suffix(thermo *t, size_t i, const char *suffix);
 /* Format of the column of this name on the screen: one %-format of d, i, e, f or g; `d` rounds. */
 int thermo_set_format(thermo *t, const char *column, const char *format, diag *d);
 
-/* Writes every row also to this CSV file; NULL: no longer. See stream_check_path. */
+/* Writes every row also to this CSV file; NULL: no longer. See path_check. */
 void thermo_set_file(thermo *t, const char *path);
 const char *thermo_file(const thermo *t); /* NULL: none */
 

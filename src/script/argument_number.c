@@ -56,7 +56,7 @@ static int check_range(const slot *s, const word *w, double si, bool bare, diag 
         return SARCINA_OK;
     diag_error(d, "%s must be %s %s, not '%s'", s->name, bound, text, w->text);
     const char *usual[1];
-    if (bare && text == s->hi_text && s->percent)
+    if (bare && text == s->hi_text && s->percent && dim_equal(s->d, DIM_MASS))
         diag_help(d, "50%% is of the natural whole (the mass at division)");
     else if (bare && text == s->hi_text && units_usual(s->d, usual, 1))
         diag_help(d, "a bare number is in the script's units; %s%s?", w->text, usual[0]);
