@@ -42,6 +42,14 @@ static int bin_of(double x, double low, double size, int bins) {
     return i < 0 ? 0 : i >= bins ? bins - 1 : (int)i;
 }
 
+/* Is any of a bin nearer to the capsule than its reach? Its middle, to within half its diagonal. */
+static bool touches_bin(const capsule_shade *s, const capsule *c, int x, int y, int z) {
+    vec3 middle = vec3_axpy(s->low, s->size, vec3_of(x + 0.5, y + 0.5, z + 0.5));
+    vec3 d = vec3_sub(capsule_nearest(c, middle), middle);
+    double most = c->r + s->reach + 0.87 * s->size;
+    return vec3_dot(d, d) <= most * most;
+}
+
 /* Visits the bins that a capsule's surroundings touch: counts them, or with entries fills its row in. */
 static void visit_bins(capsule_shade *s, uint32_t row, uint32_t *count, uint32_t *entries) {
     const capsule *c = &s->list[row];
@@ -53,6 +61,8 @@ static void visit_bins(capsule_shade *s, uint32_t row, uint32_t *count, uint32_t
     for (int z = from[2]; z <= to[2]; z++)
         for (int y = from[1]; y <= to[1]; y++)
             for (int x = from[0]; x <= to[0]; x++) {
+                if (!touches_bin(s, c, x, y, z))
+                    continue;
                 int bin = (z * s->bins[1] + y) * s->bins[0] + x;
                 if (entries)
                     entries[count[bin]] = row;
@@ -123,10 +133,11 @@ static double present_part(const capsule *c, vec3 p) {
 /* What one capsule hides of the sky; fades to nothing at the reach. */
 static double hidden_by(const capsule *c, vec3 p, vec3 n, double reach) {
     vec3 d = vec3_sub(capsule_nearest(c, p), p);
-    double l = vec3_norm(d), above = vec3_dot(d, n), gap = (l - c->r) / reach;
-    if (above <= 0 || gap >= 1)
+    double above = vec3_dot(d, n), l2 = vec3_dot(d, d), most = c->r + reach;
+    if (above <= 0 || l2 >= most * most)
         return 0;
-    double fade = gap > 0 ? 1 - gap * gap : 1, near = fmin(1, c->r / l);
+    double l = sqrt(l2), gap = (l - c->r) / reach;
+    double fade = gap > 0 ? 1 - gap * gap * gap : 1, near = fmin(1, c->r / l);
     return fade * near * fmax(near, present_part(c, p)) * above / l;
 }
 

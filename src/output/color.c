@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The maps viridis, plasma, magma, inferno and cividis are those of matplotlib (N. Smith, S. van der Walt, E. Firing;
- * J. Nunez; CC0), coolwarm that of K. Moreland (2009), all as anchors; the palette is Tableau 10. */
+ * J. Nunez; CC0), coolwarm that of K. Moreland (2009), all as anchors; the palette is a selection of Tableau 20. */
 #include "output/color.h"
 
 #include "base/table.h"
@@ -46,8 +46,8 @@ const color_map color_maps[] = {
 };
 const size_t color_map_count = TABLE_COUNT(color_maps);
 
-static const uint32_t palette[] = {0x4e79a7, 0xf28e2b, 0xe15759, 0x76b7b2, 0x59a14f,
-                                   0xedc948, 0xb07aa1, 0xff9da7, 0x9c755f, 0xbab0ac};
+static const uint32_t palette[] = {0x4e79a7, 0xf28e2b, 0x59a14f, 0xe15759, 0x76b7b2, 0xedc948,
+                                   0xb07aa1, 0xa0cbe8, 0x8cd17d, 0xffbe7d, 0xff9d9a, 0xd4a6c8};
 
 static rgb from_code(uint32_t code) {
     return (rgb){(float)(code >> 16 & 255) / 255, (float)(code >> 8 & 255) / 255, (float)(code & 255) / 255};
