@@ -80,6 +80,9 @@ static int first_value(const output_analysis *p, const char *field, double index
 
 static int analysis_value(interp *in, size_t i, const char *field, double index, dim *dimension, double *si, diag *d) {
     const output_analysis *p = &output_list_of(in)->analyses[i];
+    bool keeps = !p->style && field && strcmp(field, "kept") == 0;
+    if (!isnan(index) && !keeps)
+        return diag_error(d, "%s%s%s is one value: it takes no [ ]", p->id, field ? "." : "", field ? field : "");
     if (!p->style)
         return first_value(p, field, index, dimension, si, d);
     return measured_value(in, p, field, dimension, si, d);

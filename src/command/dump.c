@@ -126,12 +126,25 @@ static int read_content(interp *in, const args *a, const dump_style *style, outp
     return status;
 }
 
+/* IDs of dumps are no names of the language, whose clashes are found when they are read. */
+static int check_id(const outputs *o, const args *a, diag *d) {
+    for (size_t i = 0; i < o->ndumps; i++)
+        if (strcmp(o->dumps[i].id, args_text(a, "ID")) == 0) {
+            diag_error(d, "'%s' is already a dump", o->dumps[i].id);
+            diag_place(d, args_span(a, "ID"));
+            return diag_help(d, "dump_modify %s ... changes it, undump %s ends it", o->dumps[i].id, o->dumps[i].id);
+        }
+    return SARCINA_OK;
+}
+
 static int run_dump(interp *in, const args *a, diag *d) {
     outputs *o = output_list_of(in);
     const dump_style *style = dump_styles[args_style(a)];
     output_dump p = {.every = args_cycles(a, "N")};
     uint64_t step;
-    int status = read_content(in, a, style, &p.columns, &p.ncolumns, &p.image, d);
+    int status = check_id(o, a, d);
+    if (!status)
+        status = read_content(in, a, style, &p.columns, &p.ncolumns, &p.image, d);
     if (status)
         return status;
     if (output_list_knows(a, "FILE"))

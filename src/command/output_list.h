@@ -42,12 +42,12 @@ struct outputs {
     interp *in;
     thermo *table;
     args_cycles_value thermo_every; /* 0 cycles: first and last row only */
-    bool thermo_units;
     output_dump *dumps;
     size_t ndumps, dump_capacity;
     output_analysis *analyses;
     size_t nanalyses, analysis_capacity;
-    bool has_row; /* the row of step `row_step` has been printed in this run */
+    bool headed;  /* the header of the present columns has been printed */
+    bool has_row; /* the row of step `row_step` has been printed below it */
     uint64_t row_step;
     double before; /* growth time at the step before this one, s */
     /* files that the restart we go on from was writing: they go on too */

@@ -75,8 +75,7 @@ void outputs_clear(outputs *o) {
     o->table = thermo_create();
     output_list_default_thermo(o);
     o->thermo_every = (args_cycles_value){0};
-    o->thermo_units = false;
-    o->has_row = false;
+    o->headed = o->has_row = false;
     forget_resumed(o);
 }
 
@@ -191,10 +190,14 @@ int outputs_begin(outputs *o, diag *d) {
     int status = open_all(o, d);
     if (status)
         return status;
-    o->has_row = false;
     o->before = interp_scene(o->in)->time;
-    output_list_prepare_thermo(o);
-    thermo_header(o->table, print_line, o->in);
+    /* runs of a loop go on with one table */
+    if (!o->headed || !interp_in_loop(o->in)) {
+        output_list_prepare_thermo(o);
+        thermo_header(o->table, print_line, o->in);
+        o->headed = true;
+        o->has_row = false;
+    }
     return write_due(o, true, true, d);
 }
 
@@ -205,7 +208,7 @@ int outputs_step(outputs *o, bool last, diag *d) {
 }
 
 void outputs_end(outputs *o) {
-    o->has_row = false; /* files are flushed with every block */
+    (void)o; /* files are flushed with every block */
 }
 
 /* ---- restart files ---------------------------------------------------------------------------------------------- */

@@ -65,9 +65,10 @@ static int run_thermo(interp *in, const args *a, diag *d) {
     return SARCINA_OK;
 }
 
-/* The file stays, with a new header; going on from a restart its rows up to there stay too. */
-static int resume_file(outputs *o, diag *d) {
+/* After a change of columns or file: the table wants its header again; a file that a restart was writing goes on. */
+static int begin_anew(outputs *o, diag *d) {
     uint64_t step;
+    o->headed = false;
     const char *path = thermo_file(o->table);
     return path && output_list_resumes(o, path, &step) ? thermo_rewind(o->table, step, d) : SARCINA_OK;
 }
@@ -76,7 +77,7 @@ static int run_style_one(interp *in, const args *a, diag *d) {
     (void)a;
     outputs *o = output_list_of(in);
     output_list_default_thermo(o);
-    return resume_file(o, d);
+    return begin_anew(o, d);
 }
 
 static int run_style_custom(interp *in, const args *a, diag *d) {
@@ -92,7 +93,7 @@ static int run_style_custom(interp *in, const args *a, diag *d) {
     }
     thermo_set_columns(o->table, columns, n);
     free(columns);
-    return resume_file(o, d);
+    return begin_anew(o, d);
 }
 
 /* Units of the i-th column as a suffix of its heading; "" takes it away. */
@@ -111,7 +112,7 @@ static int set_file(outputs *o, const args *a, diag *d) {
         return status;
     }
     thermo_set_file(o->table, path);
-    return resume_file(o, d);
+    return begin_anew(o, d);
 }
 
 static int run_modify(interp *in, const args *a, diag *d) {

@@ -312,8 +312,10 @@ int evaluate_name(evaluation *e, const node *n, operand *out, diag *d) {
     }
     const char *name = without_prefix(e->in, n->text);
     int status = resolve(e, n, name, out, d);
+    if (status)
+        return status;
     ptrdiff_t row;
-    const name_class *c = status ? NULL : names_owner(e->in, name, &row);
+    const name_class *c = names_owner(e->in, name, &row);
     bool indexed = n->index && !(c && c->value) && !out->wild;
-    return indexed ? pick(e, n, out, d) : status;
+    return indexed ? pick(e, n, out, d) : SARCINA_OK;
 }

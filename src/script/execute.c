@@ -144,11 +144,7 @@ static int run_form(interp *in, const signature *form, reader *r, diag *d) {
 
 /* break and continue. */
 static int request_loop(interp *in, reader *r, loop_request request, const word *w, diag *d) {
-    bool looping = false;
-    for (int i = 0; i < in->depth; i++)
-        looping = looping || strcmp(in->stack[i].kind, "for") == 0 || strcmp(in->stack[i].kind, "while") == 0 ||
-                  strcmp(in->stack[i].kind, "repeat") == 0;
-    if (!looping)
+    if (!interp_in_loop(in))
         return diag_error(d, "'%s' outside a loop", w->text);
     if (!reader_at_end(r))
         return diag_error(d, "%s takes no argument", w->text);

@@ -92,6 +92,14 @@ void interp_open_world(interp *in) {
     in->check.open_world = true;
 }
 
+bool interp_in_loop(const interp *in) {
+    for (int i = 0; i < in->depth; i++)
+        if (strcmp(in->stack[i].kind, "for") == 0 || strcmp(in->stack[i].kind, "while") == 0 ||
+            strcmp(in->stack[i].kind, "repeat") == 0)
+            return true;
+    return false;
+}
+
 const char *interp_here(const interp *in) {
     for (int i = in->depth - 1; i >= 0; i--)
         if (in->stack[i].running)

@@ -23,6 +23,8 @@ typedef enum { UNITS_SI, UNITS_BIO } unit_system;
 void interp_set_units(interp *in, unit_system u);
 unit_system interp_units(const interp *in);
 
+bool interp_in_loop(const interp *in); /* a body of for, while or repeat is running */
+
 /* The units of bare numbers of dimension d, in SI: 1 under si. */
 double interp_unit(const interp *in, dim d);
 
