@@ -81,9 +81,16 @@ static void show_forces(interp *in, const scene *s) {
     interp_print(in, "not active %s", idle[0] ? idle : " none");
 }
 
+/* Field by field: padding between them need not agree. */
+static bool is_preset(const relax_settings *r, const accuracy_preset *preset) {
+    const relax_settings *p = &preset->settings;
+    return r->integrator == p->integrator && r->step == p->step && r->tolerance == p->tolerance &&
+           r->segment == p->segment && r->most == p->most;
+}
+
 static void show_relaxation(interp *in, const scene *s) {
     const relax_settings *r = &s->relax;
-    bool preset = memcmp(r, &accuracy_presets[s->accuracy].settings, sizeof *r) == 0;
+    bool preset = is_preset(r, &accuracy_presets[s->accuracy]);
     interp_print(in, "relaxation  %s%s%s", integrator_styles[r->integrator]->name, preset ? ", accuracy " : "",
                  preset ? accuracy_presets[s->accuracy].name : "");
     mechanics_stats m = mechanics_statistics(s->mechanics);

@@ -133,7 +133,7 @@ static int run_cycles(interp *in, const plan *p, diag *d) {
 
 static int run_run(interp *in, const args *a, diag *d) {
     session *s = session_of(in);
-    plan p;
+    plan p = {0};
     int status = read_cycle(s, a, &p, d);
     p.until = args_expr(a, "until");
     p.a = a;

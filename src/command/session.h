@@ -30,8 +30,8 @@ session *session_of(interp *in);
 /* Flags the cells of a group (row of the class "group"): one a cell row. */
 int session_members(interp *in, int group, bool *flags, diag *d);
 
-/* The same on a view that stands already; row as in the class. */
-int session_group_members(interp *in, size_t row, const view *v, bool *flags, diag *d);
+/* The same on a view that stands already; i: row as in the class. */
+int session_group_members(interp *in, size_t i, const view *v, bool *flags, diag *d);
 
 /* All that a restart file holds: journal, variables, state, where outputs stand. */
 int session_save(interp *in, const char *path, diag *d);
