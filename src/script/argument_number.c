@@ -245,7 +245,7 @@ static int read_deviation(args *a, const slot *s, reader *r, argument *out, diag
     snprintf(sd.name, sizeof sd.name, "sd");
     sd.percent = true;
     sd.lo = 0;
-    sd.lo_text = (char[]){"0"};
+    sd.lo_text = "0";
     sd.lo_open = sd.hi_open = false;
     sd.hi = INFINITY;
     sd.hi_text = NULL;
@@ -272,7 +272,7 @@ static int read_law(args *a, const slot *s, spread_law law, argument *out, reade
         other.d = DIM_NONE;
         other.percent = false;
         other.lo = 1;
-        other.lo_text = (char[]){"1"};
+        other.lo_text = "1";
         other.hi_text = NULL;
         other.lo_open = false;
         snprintf(other.kind_name, sizeof other.kind_name, "number");
@@ -314,7 +314,7 @@ int argument_read_spread(args *a, const slot *s, argument *out, reader *r, diag 
 /* ---- relaxation ---- */
 
 static slot part_of(const slot *s, const char *name, const char *kind, dim d) {
-    slot part = {.kind = SLOT_NUMBER, .d = d, .lo_open = true, .lo_text = (char *)"0", .lo = 0, .hi = INFINITY};
+    slot part = {.kind = SLOT_NUMBER, .d = d, .lo_open = true, .lo_text = "0", .lo = 0, .hi = INFINITY};
     snprintf(part.name, sizeof part.name, "%s", name ? name : s->name);
     snprintf(part.kind_name, sizeof part.kind_name, "%s", kind);
     return part;

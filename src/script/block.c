@@ -145,7 +145,7 @@ static void parse_bodies(parser *p, statement *s) {
         }
         if (kind != STATEMENT_IF || has_else) {
             diag d = {0};
-            diag_error(&d, "'%.4s' without its if", closer.chars);
+            diag_error(&d, "'%.4s' without an if before it", closer.chars);
             diag_place(&d, piece_span(&closer, 0, 4));
             report(p, &d);
         }

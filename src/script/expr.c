@@ -27,7 +27,7 @@ expr *expr_of_text(interp *in, const char *text, diag *d) {
     piece_free(&p);
     expr *e = expr_read(&r, EXPR_OPEN, d);
     if (e && !reader_at_end(&r)) {
-        diag_error(d, "unexpected '%s' after the expression", r.text.chars + r.at);
+        diag_error(d, "unexpected '%s' behind the expression", r.text.chars + r.at);
         expr_free(e);
         e = NULL;
     }

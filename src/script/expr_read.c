@@ -540,7 +540,7 @@ static expr *read_inside(reader *r, size_t quote, diag *d) {
     r->at += quote;
     expr *e = expr_read(r, EXPR_OPEN, d);
     if (e && !reader_at_end(r)) {
-        diag_error(d, "unexpected '%.*s' after the expression", (int)(reader_end(r) - r->at), r->text.chars + r->at);
+        diag_error(d, "unexpected '%.*s' behind the expression", (int)(reader_end(r) - r->at), r->text.chars + r->at);
         diag_place(d, reader_span(r, r->at, reader_end(r)));
         expr_free(e);
         e = NULL;

@@ -47,7 +47,7 @@ char *expr_print(interp *in, const expr *e, const char *format, replacement *unk
     if (!status && o.is_text && format) {
         diag_error(d, "a format prints a number, not a text");
     } else if (!status && o.unknown) {
-        *unknown = (replacement){true, !o.is_text && (!o.wild || format), o.wild && !format, format ? DIM_NONE : o.d};
+        *unknown = (replacement){true, !o.is_text && (!o.wild || format), o.wild || format, format ? DIM_NONE : o.d};
         text = alloc_copy("");
     } else if (!status) {
         text = o.is_text ? alloc_copy(o.text) : print_number(in, &o, format, d);

@@ -87,7 +87,7 @@ static const char *parse_choices(const char *text, slot *s) {
     return text + n + (text[n] == '}');
 }
 
-static int parse_bound(units *u, const char *text, double *si, char **copy, diag *d) {
+static int parse_bound(units *u, const char *text, double *si, const char **copy, diag *d) {
     if (!*text)
         return SARCINA_OK;
     units_value v;
@@ -186,8 +186,8 @@ static int parse_head(const char *text, units *u, signature *out, diag *d) {
 
 static void slot_free(slot *s) {
     free(s->initial);
-    free(s->lo_text);
-    free(s->hi_text);
+    free((void *)s->lo_text);
+    free((void *)s->hi_text);
     for (size_t i = 0; i < s->nchoices; i++)
         free(s->choices[i]);
     free(s->choices);

@@ -55,7 +55,7 @@ typedef struct slot {
     char *initial; /* default text; NULL */
     double lo, hi; /* range in SI; infinite: none */
     bool lo_open, hi_open;
-    char *lo_text, *hi_text;
+    const char *lo_text, *hi_text; /* as the record writes it; NULL: none */
     char **choices;
     size_t nchoices;
     const char *summary;
