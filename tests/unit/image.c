@@ -12,6 +12,41 @@
 #include <string.h>
 #include <unistd.h>
 
+static void test_color_names_and_maps(void **state) {
+    (void)state;
+    rgb c;
+    assert_true(color_parse("#12aBff", &c));
+    assert_near(c.r, 0x12 / 255.0, 1e-7);
+    assert_near(c.b, 1, 0);
+    assert_true(color_parse("#1f0", &c));
+    assert_near(c.r, 0x11 / 255.0, 1e-7);
+    assert_near(c.g, 1, 0);
+    assert_near(c.b, 0, 0);
+    assert_true(color_parse("white", &c));
+    const char *const wrong[] = {"",        "#",    "#1",     "#12",     "#12345", "#1234567",
+                                 "#12345g", "whit", "ffffff", "# 12345", "#+12345"};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        assert_false(color_parse(wrong[i], &c));
+    for (size_t m = 0; m < color_map_count; m++) {
+        rgb first = color_of(&color_maps[m], 0), beyond = color_of(&color_maps[m], -3);
+        assert_memory_equal(&first, &beyond, sizeof first);
+        float jump = 0;
+        for (int i = 1; i <= 1000; i++) {
+            rgb a = color_of(&color_maps[m], (i - 1) / 1e3), b = color_of(&color_maps[m], i / 1e3);
+            jump = fmaxf(jump, fabsf(a.r - b.r) + fabsf(a.g - b.g) + fabsf(a.b - b.b));
+        }
+        assert_true(jump < 0.01f); /* a mistyped anchor leaps */
+    }
+    rgb viridis = color_of(&color_maps[color_map_find("viridis")], 0.5);
+    assert_near(viridis.g, 0x91 / 255.0, 1e-6);
+    for (int i = 0; i <= 255; i++) {
+        float x = (float)i / 255;
+        assert_near(color_to_srgb(color_to_linear((rgb){x, x, x})).g, x, 1e-6);
+    }
+}
+
+#if SARCINA_HAVE_IMAGE
+
 typedef struct culture {
     colony *c;
     species_table table;
@@ -222,39 +257,6 @@ static void test_colors(void **state) {
     discard(&k);
 }
 
-static void test_color_names_and_maps(void **state) {
-    (void)state;
-    rgb c;
-    assert_true(color_parse("#12aBff", &c));
-    assert_near(c.r, 0x12 / 255.0, 1e-7);
-    assert_near(c.b, 1, 0);
-    assert_true(color_parse("#1f0", &c));
-    assert_near(c.r, 0x11 / 255.0, 1e-7);
-    assert_near(c.g, 1, 0);
-    assert_near(c.b, 0, 0);
-    assert_true(color_parse("white", &c));
-    const char *const wrong[] = {"",        "#",    "#1",     "#12",     "#12345", "#1234567",
-                                 "#12345g", "whit", "ffffff", "# 12345", "#+12345"};
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
-        assert_false(color_parse(wrong[i], &c));
-    for (size_t m = 0; m < color_map_count; m++) {
-        rgb first = color_of(&color_maps[m], 0), beyond = color_of(&color_maps[m], -3);
-        assert_memory_equal(&first, &beyond, sizeof first);
-        float jump = 0;
-        for (int i = 1; i <= 1000; i++) {
-            rgb a = color_of(&color_maps[m], (i - 1) / 1e3), b = color_of(&color_maps[m], i / 1e3);
-            jump = fmaxf(jump, fabsf(a.r - b.r) + fabsf(a.g - b.g) + fabsf(a.b - b.b));
-        }
-        assert_true(jump < 0.01f); /* a mistyped anchor leaps */
-    }
-    rgb viridis = color_of(&color_maps[color_map_find("viridis")], 0.5);
-    assert_near(viridis.g, 0x91 / 255.0, 1e-6);
-    for (int i = 0; i <= 255; i++) {
-        float x = (float)i / 255;
-        assert_near(color_to_srgb(color_to_linear((rgb){x, x, x})).g, x, 1e-6);
-    }
-}
-
 static void test_scale_bar(void **state) {
     (void)state;
     culture k = make();
@@ -385,7 +387,38 @@ static void test_png(void **state) {
     discard(&k);
 }
 
-#if !SARCINA_HAVE_IMAGE
+/* A spring between two balls far apart is a line between them, one to an anchor ends there. */
+static void test_springs(void **state) {
+    (void)state;
+    culture k = make();
+    output_column column;
+    add_ball(&k, -4, 0, 0, 1, 0);
+    add_ball(&k, 4, 0, 0, 1, 0);
+    colony *c = k.c;
+    for (int i = 0; i < 2; i++) {
+        uint32_t link = colony_add_link(c, i ? LINK_ANCHOR : LINK_FILIAL, 1, i ? 0 : 2, 1), s = c->link.first[link];
+        c->spring.a[s] = 0;
+        c->spring.b[s] = i ? SPRING_ANCHOR : 1;
+        c->spring.anchor[3 * s] = c->spring.anchor[3 * s + 1] = -2;
+    }
+    dump_frame f = frame_of(&k, &column, "generation");
+    image_options o = plain(0);
+    canvas *without = draw(&f, &o);
+    o.springs = true;
+    canvas *with = draw(&f, &o);
+    double scale = 0.92 * 300 / 9;
+    assert_true(is_white(pixel(without, 150, 100)));
+    assert_true(pixel(with, 150, 100).g < 0.5f);
+    int x = (int)(150 - 3 * scale), y = (int)(100 + 1 * scale); /* half-way to the anchor */
+    assert_true(is_white(pixel(without, x, y)));
+    assert_true(pixel(with, x, y).r > 2 * pixel(with, x, y).b);
+    canvas_free(without);
+    canvas_free(with);
+    discard(&k);
+}
+
+#else
+
 static void test_build_without_pictures_says_so(void **state) {
     (void)state;
     diag d = {0};
@@ -408,6 +441,7 @@ int main(void) {
         cmocka_unit_test(test_empty_scene),
         cmocka_unit_test(test_selection),
         cmocka_unit_test(test_png),
+        cmocka_unit_test(test_springs),
 #else
         cmocka_unit_test(test_build_without_pictures_says_so),
 #endif
