@@ -244,7 +244,7 @@ mechanics_stats mechanics_statistics(const mechanics *m) {
                   m->body_capacity * (2 * sizeof *m->bodies + sizeof *m->by_id) +
                   m->particle_capacity * (2 * sizeof(uint32_t) + 5 * sizeof(double)) +
                   m->capsule_capacity * (sizeof *m->capsules + 6 * sizeof(double)) +
-                  m->neighbor.entries_capacity * sizeof(uint32_t) +
+                  m->neighbor.entries_capacity * 2 * sizeof(uint32_t) +
                   m->neighbor.n_capacity * (sizeof(size_t) + 2 * sizeof(uint32_t)) +
                   m->springs.ends_capacity * sizeof(spring_end) + m->springs.start_capacity * sizeof(uint32_t) +
                   m->stiff.capacity * sizeof(stiff_spring);

@@ -11,7 +11,8 @@
 static const double slack = 1e-6;
 
 void neighbor_free(neighbor *list) {
-    free(list->entries);
+    free(list->first);
+    free(list->second);
     free(list->start);
     free(list->middle);
     free(list->by_id);
@@ -30,6 +31,23 @@ size_t neighbor_entries(const neighbor *list) {
     if (list->method == NEIGHBOR_PAIRS)
         return list->n ? list->n * (list->n - 1) : 0;
     return list->start ? list->start[list->n] : 0;
+}
+
+void neighbor_pairs(const neighbor *list, const body *bodies, size_t begin, size_t count, uint32_t *first_buffer,
+                    uint32_t *second_buffer, const uint32_t **first, const uint32_t **second) {
+    if (list->method == NEIGHBOR_CELLS) {
+        *first = list->first + begin;
+        *second = list->second + begin;
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        size_t owner = (begin + i) / (list->n - 1), place = (begin + i) % (list->n - 1), rank = bodies[owner].rank;
+        uint32_t partner = list->by_id[place < rank ? place : place + 1];
+        first_buffer[i] = place < rank ? partner : (uint32_t)owner;
+        second_buffer[i] = place < rank ? (uint32_t)owner : partner;
+    }
+    *first = first_buffer;
+    *second = second_buffer;
 }
 
 /* What one thread gathers: for a stretch of slots, the partners above each that are near enough. */
@@ -94,7 +112,7 @@ static void free_gatherer(gatherer *w) {
     free(w->partners);
 }
 
-/* Enters every pair into the rows of both its bodies. */
+/* Enters every pair into the rows of both its bodies: the partners, for now. */
 static void enter_pairs(neighbor *list, const gatherer *parts, int nparts) {
     size_t n = list->n, *start = list->start;
     memset(start, 0, (n + 2) * sizeof *start);
@@ -105,13 +123,17 @@ static void enter_pairs(neighbor *list, const gatherer *parts, int nparts) {
         }
     for (size_t i = 0; i < n; i++)
         start[i + 2] += start[i + 1];
-    list->entries = alloc_grow(list->entries, &list->entries_capacity, start[n + 1], sizeof *list->entries);
+    if (start[n + 1] > list->entries_capacity) {
+        list->entries_capacity = start[n + 1] + start[n + 1] / 2;
+        list->first = alloc_resize(list->first, list->entries_capacity, sizeof *list->first);
+        list->second = alloc_resize(list->second, list->entries_capacity, sizeof *list->second);
+    }
     /* filling moves each start to where the next row begins */
     for (int p = 0; p < nparts; p++)
         for (size_t i = 0; i < parts[p].count; i++) {
             uint32_t a = parts[p].owners[i], b = parts[p].partners[i];
-            list->entries[start[a + 1]++] = b;
-            list->entries[start[b + 1]++] = a;
+            list->first[start[a + 1]++] = b;
+            list->first[start[b + 1]++] = a;
         }
 }
 
@@ -135,21 +157,23 @@ static void sort_keys(uint64_t *keys, size_t n) {
     }
 }
 
-/* Puts rows into the order of the partners' ids. */
+/* Puts rows into the order of the partners' ids, and each pair into that of its own. */
 static void sort_rows(neighbor *list, const body *bodies, size_t begin, size_t end) {
     uint64_t *keys = NULL;
     size_t capacity = 0;
     for (size_t slot = begin; slot < end; slot++) {
-        uint32_t *row = list->entries + list->start[slot], lower = 0;
-        size_t n = list->start[slot + 1] - list->start[slot];
+        size_t start = list->start[slot], n = list->start[slot + 1] - start;
+        uint32_t *first = list->first + start, *second = list->second + start, lower = 0;
         keys = alloc_grow(keys, &capacity, n, sizeof *keys);
-        for (size_t i = 0; i < n; i++) {
-            keys[i] = (uint64_t)bodies[row[i]].rank << 32 | row[i];
-            lower += bodies[row[i]].rank < bodies[slot].rank;
-        }
-        sort_keys(keys, n);
         for (size_t i = 0; i < n; i++)
-            row[i] = (uint32_t)keys[i];
+            keys[i] = (uint64_t)bodies[first[i]].rank << 32 | first[i];
+        sort_keys(keys, n);
+        for (size_t i = 0; i < n; i++) {
+            bool is_lower = keys[i] >> 32 < bodies[slot].rank;
+            lower += is_lower;
+            first[i] = is_lower ? (uint32_t)keys[i] : (uint32_t)slot;
+            second[i] = is_lower ? (uint32_t)slot : (uint32_t)keys[i];
+        }
         list->middle[slot] = lower;
     }
     free(keys);

@@ -20,10 +20,12 @@ typedef struct neighbor {
     neighbor_method method;
     double skin; /* um */
     size_t n;
-    uint32_t *entries; /* slots (start[n]) */
-    size_t *start;     /* (n + 1) */
-    uint32_t *middle;  /* entries of lower id in a row (n) */
-    uint32_t *by_id;   /* slots in the order of ids (n): the rows of the all-pairs method */
+    /* entries, row after row (start[n]): the slots of a pair, that of lower id first; one of them is the row's owner.
+     * In a row those with partners of lower id come first, each part in the order of the partners' ids. */
+    uint32_t *first, *second;
+    size_t *start;    /* (n + 1) */
+    uint32_t *middle; /* entries with partners of lower id in a row (n) */
+    uint32_t *by_id;  /* slots in the order of ids (n): the rows of the all-pairs method */
     size_t entries_capacity, n_capacity;
     grid grid;
 } neighbor;
@@ -38,17 +40,27 @@ void neighbor_sort(neighbor *list, const capsule *capsules, size_t n, uint32_t *
 void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules, double reach, int threads,
                     const contact_kernel *kernel);
 
-/* Total entries of all rows. */
+/* Entries of all rows; where a slot's row begins (of n: the end), and how many of its partners have a lower id. */
+static inline size_t neighbor_start(const neighbor *list, size_t slot) {
+    return list->method == NEIGHBOR_PAIRS ? slot * (list->n - 1) : list->start[slot];
+}
+static inline size_t neighbor_middle(const neighbor *list, const body *bodies, size_t slot) {
+    return list->method == NEIGHBOR_PAIRS ? bodies[slot].rank : list->middle[slot];
+}
 size_t neighbor_entries(const neighbor *list);
+
+/* The pairs of count entries from entry `begin` on, in *first and *second: the list's own, or written to the buffers
+ * (count each) for the all-pairs method. */
+void neighbor_pairs(const neighbor *list, const body *bodies, size_t begin, size_t count, uint32_t *first_buffer,
+                    uint32_t *second_buffer, const uint32_t **first, const uint32_t **second);
 
 static inline neighbor_row neighbor_get(const neighbor *list, const body *bodies, size_t slot) {
     if (list->method == NEIGHBOR_PAIRS) {
         size_t rank = bodies[slot].rank;
         return (neighbor_row){list->by_id, list->by_id + rank + 1, rank, list->n - rank - 1};
     }
-    const uint32_t *row = list->entries + list->start[slot];
-    size_t count = list->start[slot + 1] - list->start[slot], middle = list->middle[slot];
-    return (neighbor_row){row, row + middle, middle, count - middle};
+    size_t start = list->start[slot], middle = list->middle[slot], count = list->start[slot + 1] - start;
+    return (neighbor_row){list->first + start, list->second + start + middle, middle, count - middle};
 }
 
 #endif

@@ -18,121 +18,102 @@ static contact_law_values law_of(const double *p) {
     return (contact_law_values){p[COLLISION_K], p[COLLISION_REACH], regularised ? p[COLLISION_EPSILON] : 0};
 }
 
-/* Consecutive pairs of one owner in a batch: its partners all of lower, or all of higher id. */
-typedef struct stretch {
-    uint32_t owner, begin, end;
-    bool owner_is_a;
-    bool opens, closes; /* do the partners begin, and end, in this batch? */
-    const uint32_t *partners;
-} stretch;
-
-/* What partners do to an owner: the sum of forces, and of the parts that its last particle bears. */
+/* What partners do to an owner: the sum of forces on A, and of the parts that the owner's last particle bears. */
 typedef struct load_sum {
     double total[3], last[3];
 } load_sum;
 
-/* Pairs of several owners, computed when the batch is full. Where an owner's partners are spread over batches, the sum
- * so far is carried on: how pairs fall into batches changes no bit. */
+/* Entries of the neighbour list on their way through the kernel, batch by batch, and the row that is being summed. Rows
+ * go over the ends of batches: how entries fall into batches changes no bit. */
 typedef struct stream {
     const force_frame *at;
     double *f;
     contact_law_values law;
-    size_t npairs, nstretches;
-    load_sum carry;
-    stretch stretches[KERNEL_BATCH];
+    size_t slot, part_end; /* owner, and the entry at which its present part (lower or upper ids) ends */
+    bool owner_is_a;       /* the upper part */
+    load_sum sum;
+    const uint32_t *first, *second; /* slots of the batch's pairs */
+    uint32_t first_buffer[KERNEL_BATCH], second_buffer[KERNEL_BATCH];
     kernel_batch batch;
 } stream;
 
-/* Pairs of an owner with n partners, as A or as B, into a batch. */
-static void load(kernel_batch *b, size_t at, const capsule *capsules, const capsule *own, const stretch *run) {
-    double(*mine)[KERNEL_BATCH] = run->owner_is_a ? b->d1 : b->d2;
-    double(*theirs)[KERNEL_BATCH] = run->owner_is_a ? b->d2 : b->d1;
-    const double sign = run->owner_is_a ? 1 : -1;
-    const size_t n = run->end - run->begin;
-    for (int k = 0; k < 3; k++)
-        for (size_t i = 0; i < n; i++)
-            mine[k][at + i] = own->d[k];
+static void load(stream *s, size_t n) {
+    kernel_batch *b = &s->batch;
+    const capsule *capsules = s->at->capsules;
     for (size_t i = 0; i < n; i++) {
-        const capsule *other = &capsules[run->partners[i]];
+        const capsule *p = &capsules[s->first[i]], *q = &capsules[s->second[i]];
         for (int k = 0; k < 3; k++) {
-            b->r[k][at + i] = sign * (own->x[k] - other->x[k]);
-            theirs[k][at + i] = other->d[k];
+            b->r[k][i] = p->x[k] - q->x[k];
+            b->d1[k][i] = p->d[k];
+            b->d2[k][i] = q->d[k];
         }
-        b->radii[at + i] = own->radius + other->radius;
-        b->rests[at + i] = own->rest * other->rest;
+        b->radii[i] = p->radius + q->radius;
+        b->rests[i] = p->rest * q->rest;
     }
 }
 
 /* Contacts with coincident axes: the full force along the pair's own random direction. */
-static void push_coincident(stream *s, const stretch *run) {
+static void push_coincident(stream *s, size_t n) {
     kernel_batch *b = &s->batch;
-    for (uint32_t i = run->begin; i < run->end; i++) {
+    for (size_t i = 0; i < n; i++) {
         if (b->square[i] >= CONTACT_COINCIDENT * CONTACT_COINCIDENT || b->overlap[i] == 0)
             continue;
-        uint64_t own = s->at->bodies[run->owner].id, other = s->at->bodies[run->partners[i - run->begin]].id;
         double u[3];
-        rng_direction(s->at->seed, run->owner_is_a ? own : other, run->owner_is_a ? other : own, u);
+        rng_direction(s->at->seed, s->at->bodies[s->first[i]].id, s->at->bodies[s->second[i]].id, u);
         for (int k = 0; k < 3; k++)
             b->force[k][i] = s->law.k * b->overlap[i] * u[k];
     }
 }
 
-/* Sums a stretch in the order of the partners' ids. */
-static load_sum sum_stretch(const kernel_batch *b, const stretch *run, load_sum sum) {
-    const double *place = run->owner_is_a ? b->s : b->t;
-    for (uint32_t i = run->begin; i < run->end; i++)
+static void begin_part(stream *s, bool upper) {
+    const neighbor *list = s->at->neighbor;
+    s->owner_is_a = upper;
+    if (s->slot == s->at->nbodies) /* past the last row */
+        return;
+    s->part_end = upper ? neighbor_start(list, s->slot + 1)
+                        : neighbor_start(list, s->slot) + neighbor_middle(list, s->at->bodies, s->slot);
+    s->sum = (load_sum){0};
+}
+
+/* Gives the owner the sum of a part, and goes on to the next part. */
+static void end_part(stream *s) {
+    const body *owner = &s->at->bodies[s->slot];
+    const double sign = s->owner_is_a ? 1 : -1;
+    double *first = s->f + 3 * (size_t)owner->first, *last = first + 3 * (size_t)(owner->count - 1);
+    for (int k = 0; k < 3; k++) {
+        first[k] += sign * (s->sum.total[k] - s->sum.last[k]);
+        last[k] += sign * s->sum.last[k];
+    }
+    s->slot += s->owner_is_a;
+    begin_part(s, !s->owner_is_a);
+}
+
+/* Sums entries from ... to - 1, the first of which is that number of the batch, in the order of the partners' ids. */
+static void sum_entries(stream *s, size_t from, size_t to, size_t in_batch) {
+    const kernel_batch *b = &s->batch;
+    const double *place = s->owner_is_a ? b->s : b->t;
+    load_sum sum = s->sum;
+    for (size_t i = in_batch; i < in_batch + to - from; i++)
         for (int k = 0; k < 3; k++) {
             sum.total[k] += b->force[k][i];
             sum.last[k] += place[i] * b->force[k][i];
         }
-    return sum;
+    s->sum = sum;
 }
 
-static void apply(const body *owner, bool owner_is_a, const load_sum *sum, double *f) {
-    const double sign = owner_is_a ? 1 : -1;
-    double *first = f + 3 * (size_t)owner->first;
-    if (owner->count == 1) {
-        for (int k = 0; k < 3; k++)
-            first[k] += sign * sum->total[k];
-        return;
-    }
-    for (int k = 0; k < 3; k++) {
-        first[k] += sign * (sum->total[k] - sum->last[k]);
-        first[k + 3] += sign * sum->last[k];
-    }
-}
-
-static void flush(stream *s) {
+/* Computes and sums n entries from `begin` on. */
+static void pass(stream *s, size_t begin, size_t n) {
     const contact_kernel *kernel = s->at->kernel;
-    size_t coincident = (s->at->cocci ? kernel->sphere : kernel->contact)(&s->law, s->npairs, &s->batch);
-    for (size_t i = 0; i < s->nstretches; i++) {
-        const stretch *run = &s->stretches[i];
-        if (coincident)
-            push_coincident(s, run);
-        load_sum sum = sum_stretch(&s->batch, run, run->opens ? (load_sum){0} : s->carry);
-        if (run->closes)
-            apply(&s->at->bodies[run->owner], run->owner_is_a, &sum, s->f);
-        else
-            s->carry = sum;
-    }
-    s->npairs = s->nstretches = 0;
-}
-
-/* Appends an owner's pairs with these partners. */
-static void push(stream *s, size_t owner, const uint32_t *partners, size_t n, bool owner_is_a) {
-    bool opens = true;
-    while (n) {
-        if (s->npairs == KERNEL_BATCH)
-            flush(s);
-        size_t room = KERNEL_BATCH - s->npairs, count = n < room ? n : room, at = s->npairs;
-        stretch *run = &s->stretches[s->nstretches++];
-        *run =
-            (stretch){(uint32_t)owner, (uint32_t)at, (uint32_t)(at + count), owner_is_a, opens, count == n, partners};
-        load(&s->batch, at, s->at->capsules, &s->at->capsules[owner], run);
-        s->npairs += count;
-        partners += count;
-        n -= count;
-        opens = false;
+    neighbor_pairs(s->at->neighbor, s->at->bodies, begin, n, s->first_buffer, s->second_buffer, &s->first, &s->second);
+    load(s, n);
+    if ((s->at->cocci ? kernel->sphere : kernel->contact)(&s->law, n, &s->batch))
+        push_coincident(s, n);
+    for (size_t entry = begin; entry < begin + n;) {
+        while (s->part_end == entry)
+            end_part(s);
+        size_t stop = s->part_end < begin + n ? s->part_end : begin + n;
+        sum_entries(s, entry, stop, entry - begin);
+        entry = stop;
     }
 }
 
@@ -141,13 +122,13 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
     s.at = at;
     s.f = f;
     s.law = law_of(p);
-    s.npairs = s.nstretches = 0;
-    for (size_t slot = begin; slot < end; slot++) {
-        neighbor_row row = neighbor_get(at->neighbor, at->bodies, slot);
-        push(&s, slot, row.lower, row.nlower, false);
-        push(&s, slot, row.upper, row.nupper, true);
-    }
-    flush(&s);
+    s.slot = begin;
+    begin_part(&s, false);
+    size_t entry = neighbor_start(at->neighbor, begin), stop = neighbor_start(at->neighbor, end);
+    for (; entry < stop; entry += KERNEL_BATCH)
+        pass(&s, entry, stop - entry < KERNEL_BATCH ? stop - entry : KERNEL_BATCH);
+    while (s.slot < end)
+        end_part(&s);
 }
 
 static contact_result contact_with(const force_frame *at, contact_law_values law, size_t slot, uint32_t partner) {
