@@ -41,8 +41,8 @@ typedef struct contact_result {
     double s, t;
     double delta[3]; /* p(s) - q(t), um */
     double square;   /* |delta|^2 */
-    double overlap;  /* max(0, R' - sqrt G), um */
-    double scale;    /* k overlap / sqrt G: force on A is scale x delta */
+    double g, reach; /* G and R'^2, um2: they touch where G < R'^2 */
+    double scale;    /* k (R' / sqrt G - 1), 0 apart: force on A is scale x delta */
 } contact_result;
 
 static inline double contact_clamp(double x) {
@@ -74,11 +74,16 @@ static inline contact_result contact_compute(contact_law_values law, contact_pai
     out.delta[1] = p.r[1] + s * p.d1[1] - t * p.d2[1];
     out.delta[2] = p.r[2] + s * p.d1[2] - t * p.d2[2];
     out.square = out.delta[0] * out.delta[0] + out.delta[1] * out.delta[1] + out.delta[2] * out.delta[2];
-    double root = sqrt(out.square + w * ((s - 0.5) * (s - 0.5) + (t - 0.5) * (t - 0.5)));
-    double over = sqrt(square + 0.25 * w) - root;
-    out.overlap = over > 0 ? over : 0;
-    out.scale = law.k * out.overlap / (root > 0 ? root : 1);
+    out.g = out.square + w * ((s - 0.5) * (s - 0.5) + (t - 0.5) * (t - 0.5));
+    out.reach = square + 0.25 * w;
+    double stretch = sqrt(out.reach / (out.g > 0 ? out.g : out.reach)) - 1;
+    out.scale = law.k * (stretch > 0 ? stretch : 0);
     return out;
+}
+
+/* R' - sqrt G where they touch, 0 apart; um. */
+static inline double contact_overlap(const contact_result *c) {
+    return c->g < c->reach ? sqrt(c->reach) - sqrt(c->g) : 0;
 }
 
 #endif

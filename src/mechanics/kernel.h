@@ -13,19 +13,23 @@ enum { KERNEL_LANES = 8, KERNEL_BATCH = 128 }; /* pairs at once: the arrays belo
 
 /* Pairs as a structure of arrays: in, and out. A is the body of lower id. */
 typedef struct kernel_batch {
+    /* in */
     _Alignas(64) double r[3][KERNEL_BATCH]; /* A0 - B0, um */
     double d1[3][KERNEL_BATCH], d2[3][KERNEL_BATCH];
     double radii[KERNEL_BATCH]; /* r_A + r_B */
     double rests[KERNEL_BATCH]; /* L_A L_B */
-    double s[KERNEL_BATCH], t[KERNEL_BATCH];
-    double force[3][KERNEL_BATCH]; /* on A, 1e-21 N */
+    double side[KERNEL_BATCH];  /* 1: the owner of the entry is A; -1: B */
+    /* out */
+    double place[KERNEL_BATCH];    /* of the contact on the owner: s or t */
+    double force[3][KERNEL_BATCH]; /* on the owner, 1e-21 N */
+    double last[3][KERNEL_BATCH];  /* of that, on its last particle */
     double square[KERNEL_BATCH];   /* squared distance, um2 */
-    double overlap[KERNEL_BATCH];
+    double g[KERNEL_BATCH], reach[KERNEL_BATCH];
 } kernel_batch;
 
 typedef struct contact_kernel {
     const char *name; /* "avx512", "avx2", "base" */
-    /* Contacts of the first n pairs. Returns how many touch with coincident axes: their force is left 0. */
+    /* Contacts of the first n pairs. Returns how many touch with coincident axes, which have no direction. */
     size_t (*contact)(const contact_law_values *law, size_t n, kernel_batch *b);
     /* The same for cocci only (d1 = d2 = 0, not read). */
     size_t (*sphere)(const contact_law_values *law, size_t n, kernel_batch *b);

@@ -7,18 +7,22 @@
 #define KERNEL_JOIN(a, b) KERNEL_JOIN_(a, b)
 
 static inline void store(kernel_batch *b, size_t i, const contact_result *c) {
-    b->s[i] = c->s;
-    b->t[i] = c->t;
-    for (int k = 0; k < 3; k++)
-        b->force[k][i] = c->scale * c->delta[k];
+    const double place = b->side[i] > 0 ? c->s : c->t, scale = b->side[i] * c->scale;
+    b->place[i] = place;
+    for (int k = 0; k < 3; k++) {
+        double force = scale * c->delta[k];
+        b->force[k][i] = force;
+        b->last[k][i] = place * force;
+    }
     b->square[i] = c->square;
-    b->overlap[i] = c->overlap;
+    b->g[i] = c->g;
+    b->reach[i] = c->reach;
 }
 
 static size_t count_coincident(size_t n, const kernel_batch *b) {
     size_t coincident = 0;
     for (size_t i = 0; i < n; i++)
-        coincident += b->square[i] < CONTACT_COINCIDENT * CONTACT_COINCIDENT && b->overlap[i] > 0;
+        coincident += b->square[i] < CONTACT_COINCIDENT * CONTACT_COINCIDENT && b->g[i] < b->reach[i];
     return coincident;
 }
 

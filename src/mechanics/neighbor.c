@@ -43,7 +43,7 @@ void neighbor_pairs(const neighbor *list, const body *bodies, size_t begin, size
     for (size_t i = 0; i < count; i++) {
         size_t owner = (begin + i) / (list->n - 1), place = (begin + i) % (list->n - 1), rank = bodies[owner].rank;
         uint32_t partner = list->by_id[place < rank ? place : place + 1];
-        first_buffer[i] = place < rank ? partner : (uint32_t)owner;
+        first_buffer[i] = place < rank ? partner : (uint32_t)owner | NEIGHBOR_OWN;
         second_buffer[i] = place < rank ? (uint32_t)owner : partner;
     }
     *first = first_buffer;
@@ -93,6 +93,7 @@ static void load_candidate(gatherer *w, uint32_t slot, uint32_t partner) {
     }
     b->radii[i] = own->radius + other->radius;
     b->rests[i] = 0;
+    b->side[i] = 1;
     w->batch_owner[i] = slot;
     w->batch_partner[i] = partner;
 }
@@ -171,7 +172,7 @@ static void sort_rows(neighbor *list, const body *bodies, size_t begin, size_t e
         for (size_t i = 0; i < n; i++) {
             bool is_lower = keys[i] >> 32 < bodies[slot].rank;
             lower += is_lower;
-            first[i] = is_lower ? (uint32_t)keys[i] : (uint32_t)slot;
+            first[i] = is_lower ? (uint32_t)keys[i] : (uint32_t)slot | NEIGHBOR_OWN;
             second[i] = is_lower ? (uint32_t)slot : (uint32_t)keys[i];
         }
         list->middle[slot] = lower;

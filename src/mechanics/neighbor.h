@@ -10,6 +10,8 @@
 #include "mechanics/kernel.h"
 #include "mechanics/mechanics.h"
 
+#define NEIGHBOR_OWN 0x80000000u
+
 /* A body's partners by slot: those of lower id, then those of higher. */
 typedef struct neighbor_row {
     const uint32_t *lower, *upper;
@@ -20,8 +22,8 @@ typedef struct neighbor {
     neighbor_method method;
     double skin; /* um */
     size_t n;
-    /* entries, row after row (start[n]): the slots of a pair, that of lower id first; one of them is the row's owner.
-     * In a row those with partners of lower id come first, each part in the order of the partners' ids. */
+    /* entries, row after row (start[n]), in the order of the partners' ids: the slots of a pair, that of lower id
+     * first; one of them is the row's owner, and NEIGHBOR_OWN marks first where it is that one. */
     uint32_t *first, *second;
     size_t *start;    /* (n + 1) */
     uint32_t *middle; /* entries with partners of lower id in a row (n) */
@@ -40,14 +42,11 @@ void neighbor_sort(neighbor *list, const capsule *capsules, size_t n, uint32_t *
 void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules, double reach, int threads,
                     const contact_kernel *kernel);
 
-/* Entries of all rows; where a slot's row begins (of n: the end), and how many of its partners have a lower id. */
+/* Entries of all rows; where a slot's row begins (of n: the end). */
+size_t neighbor_entries(const neighbor *list);
 static inline size_t neighbor_start(const neighbor *list, size_t slot) {
     return list->method == NEIGHBOR_PAIRS ? slot * (list->n - 1) : list->start[slot];
 }
-static inline size_t neighbor_middle(const neighbor *list, const body *bodies, size_t slot) {
-    return list->method == NEIGHBOR_PAIRS ? bodies[slot].rank : list->middle[slot];
-}
-size_t neighbor_entries(const neighbor *list);
 
 /* The pairs of count entries from entry `begin` on, in *first and *second: the list's own, or written to the buffers
  * (count each) for the all-pairs method. */

@@ -89,7 +89,7 @@ static void add_contact(const force_frame *at, contact_law_values law, size_t ow
     }
     contact_result c = contact_compute(law, pair);
     double place = owner_is_a ? c.s : c.t, sign = owner_is_a ? 1 : -1, *out = f + 3 * (size_t)at->bodies[owner].first;
-    if (c.overlap == 0)
+    if (c.scale == 0)
         return;
     for (int k = 0; k < 3; k++) {
         out[k] += sign * (1 - place) * c.scale * c.delta[k];

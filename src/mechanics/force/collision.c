@@ -12,16 +12,12 @@
 #include "base/rng.h"
 
 #include <stdbool.h>
+#include <string.h>
 
 static contact_law_values law_of(const double *p) {
     bool regularised = (contact_law)p[COLLISION_CONTACT] == CONTACT_REGULARISED;
     return (contact_law_values){p[COLLISION_K], p[COLLISION_REACH], regularised ? p[COLLISION_EPSILON] : 0};
 }
-
-/* What partners do to an owner: the sum of forces on A, and of the parts that the owner's last particle bears. */
-typedef struct load_sum {
-    double total[3], last[3];
-} load_sum;
 
 /* Entries of the neighbour list on their way through the kernel, batch by batch, and the row that is being summed. Rows
  * go over the ends of batches: how entries fall into batches changes no bit. */
@@ -29,9 +25,8 @@ typedef struct stream {
     const force_frame *at;
     double *f;
     contact_law_values law;
-    size_t slot, part_end; /* owner, and the entry at which its present part (lower or upper ids) ends */
-    bool owner_is_a;       /* the upper part */
-    load_sum sum;
+    size_t slot, row_end;           /* owner, and where its row ends */
+    double total[3], last[3];       /* on the owner so far, and of that on its last particle */
     const uint32_t *first, *second; /* slots of the batch's pairs */
     uint32_t first_buffer[KERNEL_BATCH], second_buffer[KERNEL_BATCH];
     kernel_batch batch;
@@ -41,7 +36,7 @@ static void load(stream *s, size_t n) {
     kernel_batch *b = &s->batch;
     const capsule *capsules = s->at->capsules;
     for (size_t i = 0; i < n; i++) {
-        const capsule *p = &capsules[s->first[i]], *q = &capsules[s->second[i]];
+        const capsule *p = &capsules[s->first[i] & ~NEIGHBOR_OWN], *q = &capsules[s->second[i]];
         for (int k = 0; k < 3; k++) {
             b->r[k][i] = p->x[k] - q->x[k];
             b->d1[k][i] = p->d[k];
@@ -49,56 +44,57 @@ static void load(stream *s, size_t n) {
         }
         b->radii[i] = p->radius + q->radius;
         b->rests[i] = p->rest * q->rest;
+        b->side[i] = s->first[i] & NEIGHBOR_OWN ? 1 : -1;
     }
 }
 
-/* Contacts with coincident axes: the full force along the pair's own random direction. */
+/* Contacts with coincident axes: the full force k R' along the pair's own random direction. */
 static void push_coincident(stream *s, size_t n) {
     kernel_batch *b = &s->batch;
     for (size_t i = 0; i < n; i++) {
-        if (b->square[i] >= CONTACT_COINCIDENT * CONTACT_COINCIDENT || b->overlap[i] == 0)
+        if (b->square[i] >= CONTACT_COINCIDENT * CONTACT_COINCIDENT || b->g[i] >= b->reach[i])
             continue;
-        double u[3];
-        rng_direction(s->at->seed, s->at->bodies[s->first[i]].id, s->at->bodies[s->second[i]].id, u);
-        for (int k = 0; k < 3; k++)
-            b->force[k][i] = s->law.k * b->overlap[i] * u[k];
+        double u[3], push = b->side[i] * s->law.k * (sqrt(b->reach[i]) - sqrt(b->g[i]));
+        rng_direction(s->at->seed, s->at->bodies[s->first[i] & ~NEIGHBOR_OWN].id, s->at->bodies[s->second[i]].id, u);
+        for (int k = 0; k < 3; k++) {
+            b->force[k][i] = push * u[k];
+            b->last[k][i] = b->place[i] * b->force[k][i];
+        }
     }
 }
 
-static void begin_part(stream *s, bool upper) {
-    const neighbor *list = s->at->neighbor;
-    s->owner_is_a = upper;
-    if (s->slot == s->at->nbodies) /* past the last row */
-        return;
-    s->part_end = upper ? neighbor_start(list, s->slot + 1)
-                        : neighbor_start(list, s->slot) + neighbor_middle(list, s->at->bodies, s->slot);
-    s->sum = (load_sum){0};
+static void begin_row(stream *s) {
+    if (s->slot < s->at->nbodies)
+        s->row_end = neighbor_start(s->at->neighbor, s->slot + 1);
+    for (int k = 0; k < 3; k++)
+        s->total[k] = s->last[k] = 0;
 }
 
-/* Gives the owner the sum of a part, and goes on to the next part. */
-static void end_part(stream *s) {
+/* Gives the owner the sum of its row, and goes on to the next. */
+static void end_row(stream *s) {
     const body *owner = &s->at->bodies[s->slot];
-    const double sign = s->owner_is_a ? 1 : -1;
     double *first = s->f + 3 * (size_t)owner->first, *last = first + 3 * (size_t)(owner->count - 1);
     for (int k = 0; k < 3; k++) {
-        first[k] += sign * (s->sum.total[k] - s->sum.last[k]);
-        last[k] += sign * s->sum.last[k];
+        first[k] += s->total[k] - s->last[k];
+        last[k] += s->last[k];
     }
-    s->slot += s->owner_is_a;
-    begin_part(s, !s->owner_is_a);
+    s->slot++;
+    begin_row(s);
 }
 
-/* Sums entries from ... to - 1, the first of which is that number of the batch, in the order of the partners' ids. */
-static void sum_entries(stream *s, size_t from, size_t to, size_t in_batch) {
+/* Sums entries begin ... end - 1 of the batch, in the order of the partners' ids. */
+static void sum_entries(stream *s, size_t begin, size_t end) {
     const kernel_batch *b = &s->batch;
-    const double *place = s->owner_is_a ? b->s : b->t;
-    load_sum sum = s->sum;
-    for (size_t i = in_batch; i < in_batch + to - from; i++)
+    double total[3], last[3];
+    memcpy(total, s->total, sizeof total);
+    memcpy(last, s->last, sizeof last);
+    for (size_t i = begin; i < end; i++)
         for (int k = 0; k < 3; k++) {
-            sum.total[k] += b->force[k][i];
-            sum.last[k] += place[i] * b->force[k][i];
+            total[k] += b->force[k][i];
+            last[k] += b->last[k][i];
         }
-    s->sum = sum;
+    memcpy(s->total, total, sizeof total);
+    memcpy(s->last, last, sizeof last);
 }
 
 /* Computes and sums n entries from `begin` on. */
@@ -109,10 +105,10 @@ static void pass(stream *s, size_t begin, size_t n) {
     if ((s->at->cocci ? kernel->sphere : kernel->contact)(&s->law, n, &s->batch))
         push_coincident(s, n);
     for (size_t entry = begin; entry < begin + n;) {
-        while (s->part_end == entry)
-            end_part(s);
-        size_t stop = s->part_end < begin + n ? s->part_end : begin + n;
-        sum_entries(s, entry, stop, entry - begin);
+        while (s->row_end == entry)
+            end_row(s);
+        size_t stop = s->row_end < begin + n ? s->row_end : begin + n;
+        sum_entries(s, entry - begin, stop - begin);
         entry = stop;
     }
 }
@@ -123,12 +119,12 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
     s.f = f;
     s.law = law_of(p);
     s.slot = begin;
-    begin_part(&s, false);
+    begin_row(&s);
     size_t entry = neighbor_start(at->neighbor, begin), stop = neighbor_start(at->neighbor, end);
     for (; entry < stop; entry += KERNEL_BATCH)
         pass(&s, entry, stop - entry < KERNEL_BATCH ? stop - entry : KERNEL_BATCH);
     while (s.slot < end)
-        end_part(&s);
+        end_row(&s);
 }
 
 static contact_result contact_with(const force_frame *at, contact_law_values law, size_t slot, uint32_t partner) {
@@ -148,7 +144,8 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
     double sum = 0;
     for (size_t i = 0; i < row.nupper; i++) {
         contact_result c = contact_with(at, law, slot, row.upper[i]);
-        sum += 0.5 * law.k * c.overlap * c.overlap;
+        double overlap = contact_overlap(&c);
+        sum += 0.5 * law.k * overlap * overlap;
     }
     return sum;
 }
@@ -179,7 +176,7 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
     neighbor_row row = neighbor_get(at->neighbor, at->bodies, slot);
     for (size_t i = 0; i < row.nupper; i++) {
         contact_result c = contact_with(at, law, slot, row.upper[i]);
-        if (c.overlap > 0)
+        if (c.g < c.reach)
             add_spring(at, slot, row.upper[i], &c, law.k, out);
     }
 }
