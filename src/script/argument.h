@@ -65,6 +65,14 @@ int argument_read_cycles(args *a, const slot *s, const word *w, args_cycles_valu
 int argument_read_quantity(args *a, const slot *s, const word *w, quantity *out, diag *d);
 int argument_read_relaxation(args *a, const slot *s, argument *out, reader *r, diag *d);
 
+/* Kinds of several words, in argument_words.c: n numbers; a direction; a name or two angles; a column and a format;
+ * words up to the next keyword. */
+int argument_read_numbers(args *a, const slot *s, size_t n, argument *out, reader *r, diag *d);
+int argument_read_orient(args *a, const slot *s, argument *out, reader *r, diag *d);
+int argument_read_view(args *a, const slot *s, argument *out, reader *r, diag *d);
+int argument_read_column_format(args *a, const slot *s, argument *out, reader *r, diag *d);
+int argument_read_words(args *a, argument *out, reader *r, diag *d);
+
 /* The next word, which must be there. */
 int argument_next_word(args *a, const slot *s, reader *r, word *w, diag *d);
 

@@ -168,13 +168,14 @@ static void parse_block(parser *p, block *out, piece *closer) {
     for (;;) {
         diag d = {0};
         piece line = {0};
-        bool commented;
-        if (line_next(p->script, &p->at, &line, &commented, &d) != SARCINA_OK) {
+        line_notes notes;
+        if (line_next(p->script, &p->at, &line, &notes, &d) != SARCINA_OK) {
             p->open = p->open || p->at >= p->script->n;
             report(p, &d);
             piece_free(&line);
             continue;
         }
+        p->open = p->open || notes.cut;
         if (line.n == 0 || is_closer(&line)) {
             *closer = line;
             return;
@@ -185,7 +186,7 @@ static void parse_block(parser *p, block *out, piece *closer) {
         statement *s = append(out);
         s->kind = kind;
         s->line = line;
-        s->commented = commented;
+        s->commented = notes.commented;
         if (kind != STATEMENT_COMMAND) {
             statement whole = *s; /* the list may move while the bodies are read */
             size_t row = out->count - 1;
@@ -236,10 +237,7 @@ bool block_is_open(const char *text) {
     parser p = {.script = &script};
     piece closer = {0};
     parse_block(&p, &b, &closer);
-    size_t n = strlen(text);
-    while (n && line_is_blank(text[n - 1]))
-        n--;
-    bool open = p.open || (n && text[n - 1] == '&');
+    bool open = p.open;
     piece_free(&closer);
     block_free(&b);
     piece_free(&script);

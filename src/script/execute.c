@@ -115,7 +115,6 @@ static int call(interp *in, const command_form *form, const args *a, diag *d) {
         return SARCINA_OK;
     if ((form->flags & COMMAND_UNSAFE) && in->host->safe)
         return diag_error(d, "%s is refused under -safe", args_head(a));
-    *in->warned = '\0';
     int status = form->run(in, a, d);
     in->epoch++;
     if (!status && in->warn == WARN_ERROR)
@@ -126,6 +125,7 @@ static int call(interp *in, const command_form *form, const args *a, diag *d) {
 
 static int run_form(interp *in, const signature *form, reader *r, diag *d) {
     args a;
+    *in->warned = '\0';
     int status = args_read(in, form, r, &a, d);
     if (status) {
         char *usage = signature_usage(form);

@@ -94,7 +94,7 @@ static bool take_continuation(piece *line, size_t from) {
 }
 
 /* One logical line from s->at; may come out empty. */
-static int scan_logical(scan *s, piece *line, bool *commented, diag *d) {
+static int scan_logical(scan *s, piece *line, line_notes *notes, diag *d) {
     bool goes_on = false;
     do {
         size_t from = line->n;
@@ -104,24 +104,25 @@ static int scan_logical(scan *s, piece *line, bool *commented, diag *d) {
         bool only_comment = line->n == from && s->comment;
         bool more = take_continuation(line, from);
         if (more && s->comment)
-            *commented = true;
+            notes->commented = true;
         goes_on = more || (goes_on && only_comment);
         if (s->at < s->script->n)
             s->at++; /* the line's end */
         if (goes_on && line->n)
             piece_push(line, ' ', line->marks[line->n - 1]);
     } while (goes_on && s->at < s->script->n);
+    notes->cut = goes_on;
     trim_end(line, 0);
     return SARCINA_OK;
 }
 
-int line_next(const piece *script, size_t *at, piece *line, bool *commented, diag *d) {
+int line_next(const piece *script, size_t *at, piece *line, line_notes *notes, diag *d) {
     scan s = {script, *at, *at, false};
-    *commented = false;
+    *notes = (line_notes){0};
     line->source = script->source;
     int status = SARCINA_OK;
     while (s.at < script->n && line->n == 0 && status == SARCINA_OK)
-        status = scan_logical(&s, line, commented, d);
+        status = scan_logical(&s, line, notes, d);
     *at = s.at < script->n && status != SARCINA_OK ? s.at + 1 : s.at;
     size_t blanks = 0;
     while (blanks < line->n && line_is_blank(line->chars[blanks]))

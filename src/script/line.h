@@ -10,10 +10,14 @@
 
 #include "script/piece.h"
 
+typedef struct line_notes {
+    bool commented; /* a comment stood behind an `&` */
+    bool cut;       /* the text ended behind an `&` */
+} line_notes;
+
 /* Reads the next logical line at *at into line (an empty piece; blank lines are skipped) and moves *at behind it.
- * SARCINA_OK with line->n == 0: there is none left. On an error *at is behind the faulty line. *commented: set when
- * a comment stood behind an `&`. */
-int line_next(const piece *script, size_t *at, piece *line, bool *commented, diag *d);
+ * SARCINA_OK with line->n == 0: there is none left. On an error *at is behind the faulty line. */
+int line_next(const piece *script, size_t *at, piece *line, line_notes *notes, diag *d);
 
 /* Length of the quote that opens at chars[i] (1 or 3); 0: none opens here. start: where the text begins. */
 size_t line_quote(const char *chars, size_t start, size_t i);

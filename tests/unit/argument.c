@@ -330,6 +330,23 @@ static void test_interp(void **state) {
     host.host.interrupt = NULL;
 }
 
+/* Warnings: told, limited, dropped, or errors; for numbers that are hardly meant. */
+static void test_warnings(void **state) {
+    (void)state;
+    static const char odd[] = "species s rod diameter 1m\n";
+    assert_non_null(strstr(run(odd), "test:1: warning: diameter 1m is unusual (0.1um to 100um)"));
+    assert_non_null(strstr(run("species s coccus\ngrowth s exponential rate 0.005\n"), "; meant 0.005/h"));
+    assert_string_equal(run("warn off\nspecies s rod diameter 1m\n"), "");
+    assert_non_null(strstr(run("warn error\nspecies s rod diameter 1m\n"), "error: diameter 1m is unusual"));
+    const char *told = run("for i in 1..30\nspecies s rod diameter 1m\nend\n");
+    size_t n = 0;
+    for (const char *at = told; (at = strstr(at, "unusual")); at++)
+        n++;
+    assert_int_equal(n, 20);
+    assert_non_null(strstr(told, "further warnings are only counted"));
+    assert_non_null(strstr(run("print a & # goes on\n screen no\n"), "a comment behind &"));
+}
+
 /* Records whose notation is wrong are refused. */
 static void test_records(void **state) {
     (void)state;
@@ -380,7 +397,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_values),  cmocka_unit_test(test_replaced), cmocka_unit_test(test_errors),
         cmocka_unit_test(test_depth),   cmocka_unit_test(test_check),    cmocka_unit_test(test_interp),
-        cmocka_unit_test(test_records), cmocka_unit_test(test_examples),
+        cmocka_unit_test(test_records), cmocka_unit_test(test_warnings), cmocka_unit_test(test_examples),
     };
     return cmocka_run_group_tests_name("argument", tests, open_host, close_host);
 }
