@@ -2,6 +2,8 @@
 /* Expressions: what each prints, and the error of each that is wrong, under both systems of units. */
 #include "script_host.h"
 
+#include "script/expr.h"
+
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -260,10 +262,53 @@ static void test_save(void **state) {
     script_host_close(&h);
 }
 
+/* Columns give the values of the moment, row by row, and know when the scene has changed between two rows. */
+static void test_columns(void **state) {
+    (void)state;
+    script_host h;
+    script_host_open(&h);
+    interp *in = interp_create(&h.host);
+    assert_int_equal(interp_run_source(in, "test",
+                                       "species cf coccus\ncreate_cells cf single 0 0 1um mass 5e-16kg\n"
+                                       "create_cells cf single 5um 0 2um mass 5e-16kg\nvariable v string word\n"),
+                     SARCINA_OK);
+    expr *e = expr_of_text(in, "z-min(z)", NULL), *name = expr_of_text(in, "v", NULL);
+    output_column z, v;
+    double si;
+    char text[64];
+    assert_int_equal(interp_column(in, e, true, &z, NULL), SARCINA_OK);
+    assert_string_equal(z.name, "z-min(z)");
+    assert_true(dim_equal(z.d, DIM_LENGTH) && !z.is_text);
+    assert_int_equal(z.number(z.self, 0, &si, NULL), SARCINA_OK);
+    assert_true(si == 0);
+    assert_int_equal(interp_execute(in, "set cf z 3*z where z > 1.5um", NULL), SARCINA_OK);
+    assert_int_equal(z.number(z.self, 1, &si, NULL), SARCINA_OK);
+    assert_true(si > 4.99e-6 && si < 5.01e-6);
+
+    /* a variable may turn from a text into a number while its column stands */
+    diag d = {0};
+    assert_int_equal(interp_column(in, name, false, &v, NULL), SARCINA_OK);
+    assert_true(v.is_text);
+    assert_int_equal(v.text(v.self, 0, text, NULL), SARCINA_OK);
+    assert_string_equal(text, "word");
+    assert_int_equal(interp_execute(in, "variable v string 3", NULL), SARCINA_OK);
+    assert_int_equal(v.text(v.self, 0, text, &d), SARCINA_ERROR);
+    assert_string_equal(d.message, "'v' is a number now, no text");
+    z.release(z.self);
+    v.release(v.self);
+    free(z.name);
+    free(v.name);
+    expr_free(e);
+    expr_free(name);
+    interp_free(in);
+    script_host_close(&h);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_values),    cmocka_unit_test(test_errors), cmocka_unit_test(test_bio),
         cmocka_unit_test(test_variables), cmocka_unit_test(test_random), cmocka_unit_test(test_save),
+        cmocka_unit_test(test_columns),
     };
     return cmocka_run_group_tests_name("expression", tests, NULL, NULL);
 }
