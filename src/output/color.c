@@ -3,19 +3,10 @@
  * J. Nunez; CC0), coolwarm that of K. Moreland (2009), all as anchors; the palette is a selection of Tableau 20. */
 #include "output/color.h"
 
+#include "base/color_code.h"
 #include "base/table.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
-
-const color_name color_names[] = {
-    {"white", 0xffffff}, {"black", 0x000000},  {"gray", 0x808080},  {"grey", 0x808080},   {"silver", 0xc0c0c0},
-    {"red", 0xe41a1c},   {"green", 0x4daf4a},  {"blue", 0x377eb8},  {"yellow", 0xffd92f}, {"magenta", 0xd33682},
-    {"cyan", 0x17becf},  {"orange", 0xff7f00}, {"brown", 0xa65628}, {"purple", 0x984ea3}, {"pink", 0xf781bf},
-    {"olive", 0x8a9a2b}, {"maroon", 0x800000}, {"navy", 0x1f3b73},  {"teal", 0x1b9e77},   {"lime", 0x7fd34e},
-};
-const size_t color_name_count = TABLE_COUNT(color_names);
 
 const color_map color_maps[] = {
     {"viridis",
@@ -54,18 +45,9 @@ static rgb from_code(uint32_t code) {
 }
 
 bool color_parse(const char *text, rgb *out) {
-    unsigned code;
-    ptrdiff_t row = table_find(color_names, color_name_count, sizeof *color_names, text);
-    if (row >= 0) {
-        *out = from_code(color_names[row].code);
-        return true;
-    }
-    size_t n = strlen(text);
-    if (text[0] != '#' || (n != 7 && n != 4) || strspn(text + 1, "0123456789abcdefABCDEF") != n - 1)
+    uint32_t code;
+    if (!color_code_read(text, &code))
         return false;
-    sscanf(text + 1, "%x", &code);
-    if (n == 4) /* each digit stands for two */
-        code = 0x110000 * (code >> 8) + 0x1100 * (code >> 4 & 15) + 0x11 * (code & 15);
     *out = from_code(code);
     return true;
 }

@@ -11,15 +11,8 @@ typedef struct rgb {
     float r, g, b;
 } rgb;
 
-/* A name of the table below, "#rrggbb" or "#rgb"; false when it is neither. */
+/* What base/color_code.h reads; false when text is no colour. */
 bool color_parse(const char *text, rgb *out);
-
-typedef struct color_name {
-    const char *name;
-    uint32_t code; /* 0xrrggbb */
-} color_name;
-extern const color_name color_names[];
-extern const size_t color_name_count;
 
 /* Maps from [0, 1], by anchors at equal distances. */
 typedef struct color_map {

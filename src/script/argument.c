@@ -4,6 +4,7 @@
 
 #include "analysis/value.h"
 #include "base/alloc.h"
+#include "base/color_code.h"
 #include "base/table.h"
 #include "script/format.h"
 #include "script/line.h"
@@ -145,14 +146,8 @@ static int read_name(args *a, const slot *s, const word *w, argument *out, diag 
 /* ---- colours ---- */
 
 static bool is_color(const char *text) {
-    static const char *const names[] = {"auto",    "black",  "white", "red",    "green",  "blue",  "yellow",
-                                        "magenta", "cyan",   "gray",  "grey",   "orange", "brown", "purple",
-                                        "pink",    "silver", "olive", "maroon", "navy",   "teal",  "lime"};
-    for (size_t i = 0; i < TABLE_COUNT(names); i++)
-        if (strcmp(names[i], text) == 0)
-            return true;
-    size_t n = strspn(text + (*text == '#'), "0123456789abcdefABCDEF");
-    return *text == '#' && (n == 3 || n == 6) && text[1 + n] == '\0';
+    uint32_t code;
+    return strcmp(text, "auto") == 0 || color_code_read(text, &code);
 }
 
 static int read_color(const slot *s, const word *w, diag *d) {
