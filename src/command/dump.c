@@ -137,6 +137,12 @@ static int check_id(const outputs *o, const args *a, diag *d) {
     return SARCINA_OK;
 }
 
+/* A style the build cannot write is told of and left out, so that the script runs all the same. */
+static void warn_if_missing(interp *in, const dump_style *style) {
+    if (style->missing && !interp_checking(in))
+        interp_warn(in, "%s; this one is left out", style->missing);
+}
+
 static int run_dump(interp *in, const args *a, diag *d) {
     outputs *o = output_list_of(in);
     const dump_style *style = dump_styles[args_style(a)];
@@ -154,6 +160,7 @@ static int run_dump(interp *in, const args *a, diag *d) {
         output_list_release_columns(p.columns, p.ncolumns);
         return status;
     }
+    warn_if_missing(in, style);
     p.file = dump_create(args_style(a), args_text(a, "FILE"));
     if (output_list_resumes(o, args_text(a, "FILE"), &step))
         dump_rewind(p.file, step, NULL);
@@ -287,7 +294,9 @@ static int run_write(interp *in, const args *a, diag *d) {
         return status;
     if (output_list_knows(a, "FILE"))
         status = dump_check(args_style(a), args_text(a, "FILE"), true, d);
-    if (!status && !interp_checking(in))
+    if (!status)
+        warn_if_missing(in, style);
+    if (!status && !interp_checking(in) && !style->missing)
         status = write_now(in, a, columns, n, &image, d);
     if (status)
         diag_place(d, args_span(a, "FILE"));

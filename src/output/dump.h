@@ -50,7 +50,7 @@ int dump_find(const char *name); /* row; -1 */
 typedef struct dump dump;
 
 /* Can a dump of this style be written to this place? Touches nothing. Fails when the style wants a `*` in the pattern
- * that is not there, is missing from the build, or the place cannot be written. now: for dump_write_now. */
+ * that is not there, or the place cannot be written. now: for dump_write_now. */
 int dump_check(int style, const char *pattern, bool now, diag *d);
 
 /* Of a style's row; `*` in the pattern is the step. */
@@ -63,10 +63,11 @@ const char *dump_pattern(const dump *p);
 /* Opens what stays open (a file of many steps): before the first cycle. */
 int dump_open(dump *p, diag *d);
 
-/* Writes the frame (many, fresh and step are filled in) unless this step has been written. */
+/* Writes the frame (many, fresh and step are filled in) unless this step has been written, or the build cannot write
+ * the style. */
 int dump_write(dump *p, const dump_frame *f, diag *d);
 
-/* Writes one frame to one file at once: write_dump. */
+/* Writes one frame to one file at once: write_dump. A style missing from the build is an error. */
 int dump_write_now(int style, const char *path, const dump_frame *f, diag *d);
 
 /* The scene has gone back to this step: a file of many steps loses what came after. */

@@ -199,8 +199,8 @@ int main(int argc, char **argv) {
     good[3] =
         report("area at stacking", "um2", 1e12, field(our_stackings, n, 1), field(their_stackings, theirs, 1), 0.99);
     report("time of stacking", "h", 1 / 3600.0, field(our_stackings, n, 0), field(their_stackings, theirs, 0), 0.99);
-    printf(
-        "the paper: 3.8 h and 730 +- 80 um2 (95 %%, n 10). Times are not judged: the original's founder grows too fast.\n");
+    printf("the paper: 3.8 h and 730 +- 80 um2 (95 %%, n 10). Times are not judged: the original's founder grows too "
+           "fast.\n");
     int passed = good[0] + good[1] + good[2] + good[3];
     printf("%d passed, %d failed\n", passed, 4 - passed);
     for (int i = 0; i < n; i++)

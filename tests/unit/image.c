@@ -422,7 +422,7 @@ static void test_springs(void **state) {
 static void test_build_without_pictures_says_so(void **state) {
     (void)state;
     diag d = {0};
-    assert_int_equal(dump_check(dump_find("image"), "film.*.png", false, &d), SARCINA_ERROR);
+    assert_int_equal(dump_write_now(dump_find("image"), "a.png", &(dump_frame){0}, &d), SARCINA_ERROR);
     assert_string_equal(d.message, "this build has no pictures: install libpng-dev and libembree-dev and build again");
 }
 #endif
