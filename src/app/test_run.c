@@ -194,12 +194,15 @@ int test_run_all(program *p, const options *o) {
             add_path(&l, o->tests[i]);
         }
     }
+    FILE *screen = p->screen;
+    p->screen = NULL; /* what tests print is their own affair; errors are shown */
     for (size_t i = 0; i < l.n; i++) {
         run_script(p, o, l.list[i], &t);
         free(l.list[i]);
     }
+    p->screen = screen;
     free(l.list);
-    printf("%zu scripts: %" PRIu64 " passed, %" PRIu64 " failed\n", t.scripts, t.passed, t.failed);
+    printf("%zu scripts\n%" PRIu64 " passed, %" PRIu64 " failed\n", t.scripts, t.passed, t.failed);
     if (t.failed)
         return SARCINA_EXPECT;
     return t.scripts ? SARCINA_OK : SARCINA_ERROR;
