@@ -47,7 +47,8 @@ const char *dim_name(dim d, char buffer[48]);
 /* The dimension in base units as a suffix of a number ("m", "kg/s2", ""), as scripts read it back. */
 const char *dim_suffix(dim d, char buffer[48]);
 
-/* A value in SI base units to the engine's units and back; one rounding for whole exponents. */
+/* A value in SI base units to the engine's units and back: one rounding for powers of ten up to 1e22, two beyond
+ * (energies). */
 double dim_to_engine(double si, dim d);
 double dim_from_engine(double engine, dim d);
 

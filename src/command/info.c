@@ -134,10 +134,8 @@ static void show_timing(interp *in) {
         interp_print(in, "%-12s %10.4f %6.1f", rows[i].stage, rows[i].seconds,
                      sum > 0 ? 100 * rows[i].seconds / sum : 0);
     interp_print(in, "%" PRIu64 " force evaluations, %" PRIu64 " neighbour lists", m.evaluations, m.builds);
-    double each = m.evaluations && s->colony->cell.count
-                      ? 1e9 * m.force_seconds / (double)m.evaluations / (double)s->colony->cell.count
-                      : 0;
-    interp_print(in, "%.1f ns a force evaluation and cell, at the present number of cells", each);
+    if (m.cell_evaluations)
+        interp_print(in, "%.1f ns a cell and force evaluation", 1e9 * m.force_seconds / (double)m.cell_evaluations);
 }
 
 static int run_info(interp *in, const args *a, diag *d) {

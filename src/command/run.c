@@ -89,6 +89,14 @@ static int write_checkpoint(interp *in, double before, diag *d) {
     return session_write_checkpoint(in, d);
 }
 
+/* What is due at this step is written, and the time it takes is kept. */
+static int write_step(session *s, scene *sc, bool last, diag *d) {
+    double begin = scene_clock();
+    int status = outputs_step(s->out, last, d);
+    sc->timing.output += scene_clock() - begin;
+    return status;
+}
+
 /* One cycle and all that follows it; *done: the run ends here. */
 static int run_cycle(interp *in, const plan *p, bool last, bool *done, diag *d) {
     session *s = session_of(in);
@@ -96,7 +104,7 @@ static int run_cycle(interp *in, const plan *p, bool last, bool *done, diag *d) 
     double before = sc->time;
     int status = scene_cycle(sc, p->grow, p->relax, p->force, d);
     if (!status)
-        status = outputs_step(s->out, last, d);
+        status = write_step(s, sc, last, d);
     if (!status)
         status = write_checkpoint(in, before, d);
     if (!status)
@@ -104,7 +112,7 @@ static int run_cycle(interp *in, const plan *p, bool last, bool *done, diag *d) 
     if (!status)
         status = is_done(in, p, done, d);
     if (!status && *done && !last)
-        status = outputs_step(s->out, true, d);
+        status = write_step(s, sc, true, d);
     return status;
 }
 

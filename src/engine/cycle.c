@@ -8,7 +8,7 @@
 
 #include <time.h>
 
-static double now(void) {
+double scene_clock(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
@@ -16,13 +16,13 @@ static double now(void) {
 
 /* Adds the seconds since `from` to a stage and returns the present time. */
 static double clock_stage(double *stage, double from) {
-    double t = now();
+    double t = scene_clock();
     *stage += t - from;
     return t;
 }
 
 int scene_grow(scene *s, double dt, diag *d) {
-    double t = now();
+    double t = scene_clock();
     int status = growth_step(s->colony, &s->species, s->rng, s->growth_steps, dt, d);
     if (status)
         return status;
@@ -42,7 +42,7 @@ int scene_grow(scene *s, double dt, diag *d) {
 }
 
 int scene_relax(scene *s, double time, double force, relax_result *result, diag *d) {
-    double t = now();
+    double t = scene_clock();
     snapshot *before = snapshot_take(s);
     mechanics_arrange(s->colony); /* rows in the order of space: faster, the same bits */
     const relax_goal goal = {time, force, s->interrupt};
@@ -61,7 +61,7 @@ int scene_relax(scene *s, double time, double force, relax_result *result, diag 
 }
 
 int scene_cycle(scene *s, double dt, double relax_time, double relax_force, diag *d) {
-    double t = now();
+    double t = scene_clock();
     snapshot *before = snapshot_take(s);
     relax_result result = {0};
     int status = dt > 0 ? scene_grow(s, dt, d) : SARCINA_OK;

@@ -17,7 +17,7 @@
 
 #include <signal.h>
 
-/* Seconds of wall time by stage. */
+/* Seconds of wall time by stage; output is added by who writes it. */
 typedef struct scene_timing {
     double grow, divide, relax, output, total;
 } scene_timing;
@@ -49,6 +49,9 @@ typedef struct scene {
     void (*warn)(void *self, const char *message); /* NULL: warnings are dropped */
     void *warn_self;
 } scene;
+
+/* Wall time in seconds, from any beginning. */
+double scene_clock(void);
 
 scene *scene_create(void);
 void scene_free(scene *s);

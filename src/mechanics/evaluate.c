@@ -154,6 +154,7 @@ static void evaluate(mechanics *m, unsigned which, const double *x, const double
                 force_styles[i]->add(m->forces.term[i].p, &at, first, last, f);
     }
     m->stats.evaluations++;
+    m->stats.cell_evaluations += m->nbodies;
     m->stats.force_seconds += omp_get_wtime() - begin - (m->stats.build_seconds - built);
 }
 

@@ -99,6 +99,7 @@ void mechanics_contacts(mechanics *m, double *overlap, uint32_t *contacts, doubl
 
 typedef struct mechanics_stats {
     uint64_t evaluations, builds;        /* since creation */
+    uint64_t cell_evaluations;           /* evaluations, each times the cells it was of */
     double force_seconds, build_seconds; /* wall time */
     size_t pairs;                        /* entries of the present list */
     double skin;
