@@ -3,45 +3,23 @@
  * E = k/2 (L - L0)^2. */
 #include "analysis/mechanical.h"
 
-#include "base/alloc.h"
-#include "base/vec3.h"
-
 #include <math.h>
 #include <stdlib.h>
 
 enum { INTERNAL, BEND, FILIAL, STICK, ANCHOR, SPRING, COLLISION, SUBSTRATUM, DLVO, GRAVITY, KINETIC, FIELDS };
 
 static double spring_energy(const colony *c, uint32_t s) {
-    vec3 a = vec3_load(c->particle.x + 3 * (size_t)c->spring.a[s]), b;
-    if (c->spring.b[s] != SPRING_ANCHOR)
-        b = vec3_load(c->particle.x + 3 * (size_t)c->spring.b[s]);
-    else
-        b = vec3_load(c->spring.anchor + 3 * (size_t)s);
-    vec3 d = vec3_sub(b, a);
-    double length = c->spring.glides[s] ? fabs(d.z) : vec3_norm(d);
-    return 0.5 * c->spring.k[s] * (length - c->spring.rest[s]) * (length - c->spring.rest[s]);
+    double stretch = colony_spring_length(c, s) - c->spring.rest[s];
+    return 0.5 * c->spring.k[s] * stretch * stretch;
 }
 
 /* Links in the order of their ids. */
-typedef struct id_row {
-    uint64_t id;
-    uint32_t row;
-} id_row;
-
-static int compare_id(const void *a, const void *b) {
-    const id_row *p = a, *q = b;
-    return (p->id > q->id) - (p->id < q->id);
-}
-
 static void add_links(const colony *c, double *field) {
     static const int field_of[] = {
         [LINK_FILIAL] = FILIAL, [LINK_STICK] = STICK, [LINK_ANCHOR] = ANCHOR, [LINK_SPRING] = SPRING};
-    id_row *order = alloc_zeroed(c->link.count, sizeof *order);
-    for (uint32_t l = 0; l < c->link.count; l++)
-        order[l] = (id_row){c->link.id[l], l};
-    qsort(order, c->link.count, sizeof *order, compare_id);
+    uint32_t *order = colony_links_by_id(c);
     for (size_t i = 0; i < c->link.count; i++) {
-        uint32_t l = order[i].row;
+        uint32_t l = order[i];
         for (uint32_t s = 0; s < c->link.nsprings[l]; s++)
             field[field_of[c->link.kind[l]]] += spring_energy(c, c->link.first[l] + s);
     }

@@ -96,14 +96,6 @@ static void note_internal(view_cache *cache, const colony *c, uint32_t row) {
         note_spring(cache, row, vec3_norm(vec3_sub(vec3_load(a + 3), vec3_load(a))), rest);
 }
 
-static double spring_length(const colony *c, uint32_t s) {
-    vec3 a = vec3_load(c->particle.x + 3 * (size_t)c->spring.a[s]);
-    if (c->spring.b[s] != SPRING_ANCHOR)
-        return vec3_norm(vec3_sub(vec3_load(c->particle.x + 3 * (size_t)c->spring.b[s]), a));
-    vec3 d = vec3_sub(vec3_load(c->spring.anchor + 3 * (size_t)s), a);
-    return c->spring.glides[s] ? fabs(d.z) : vec3_norm(d);
-}
-
 static void note_link(view_cache *cache, const colony *c, uint32_t link, uint32_t row) {
     if (row == COLONY_NO_ROW)
         return;
@@ -112,7 +104,7 @@ static void note_link(view_cache *cache, const colony *c, uint32_t link, uint32_
     cache->anchored[row] += c->link.kind[link] == LINK_ANCHOR;
     for (uint32_t i = 0; i < c->link.nsprings[link]; i++) {
         uint32_t s = c->link.first[link] + i;
-        note_spring(cache, row, spring_length(c, s), c->spring.rest[s]);
+        note_spring(cache, row, colony_spring_length(c, s), c->spring.rest[s]);
     }
 }
 

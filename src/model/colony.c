@@ -273,27 +273,48 @@ static int compare_id(const void *a, const void *b) {
     return (p->id > q->id) - (p->id < q->id);
 }
 
-const uint32_t *colony_by_id(colony *c) {
-    size_t n = c->cell.count;
-    if (c->order_version == c->version)
-        return c->order;
-    c->order = alloc_grow(c->order, &c->order_capacity, n, sizeof *c->order);
+/* Rows 0 ... n - 1 into `rows`, in the order of their ids. */
+static void sort_by_id(const uint64_t *ids, size_t n, uint32_t *rows) {
     bool sorted = true;
     for (size_t i = 0; i < n; i++) {
-        c->order[i] = (uint32_t)i;
-        sorted = sorted && (i == 0 || c->cell.id[i - 1] < c->cell.id[i]);
+        rows[i] = (uint32_t)i;
+        sorted = sorted && (i == 0 || ids[i - 1] < ids[i]);
     }
-    if (!sorted) {
-        id_row *pairs = alloc_zeroed(n, sizeof *pairs);
-        for (size_t i = 0; i < n; i++)
-            pairs[i] = (id_row){c->cell.id[i], (uint32_t)i};
-        qsort(pairs, n, sizeof *pairs, compare_id);
-        for (size_t i = 0; i < n; i++)
-            c->order[i] = pairs[i].row;
-        free(pairs);
-    }
+    if (sorted)
+        return;
+    id_row *pairs = alloc_zeroed(n, sizeof *pairs);
+    for (size_t i = 0; i < n; i++)
+        pairs[i] = (id_row){ids[i], (uint32_t)i};
+    qsort(pairs, n, sizeof *pairs, compare_id);
+    for (size_t i = 0; i < n; i++)
+        rows[i] = pairs[i].row;
+    free(pairs);
+}
+
+const uint32_t *colony_by_id(colony *c) {
+    if (c->order_version == c->version)
+        return c->order;
+    c->order = alloc_grow(c->order, &c->order_capacity, c->cell.count, sizeof *c->order);
+    sort_by_id(c->cell.id, c->cell.count, c->order);
     c->order_version = c->version;
     return c->order;
+}
+
+uint32_t *colony_links_by_id(const colony *c) {
+    uint32_t *rows = alloc_zeroed(c->link.count, sizeof *rows);
+    sort_by_id(c->link.id, c->link.count, rows);
+    return rows;
+}
+
+double colony_spring_length(const colony *c, uint32_t spring) {
+    const double *a = c->particle.x + 3 * (size_t)c->spring.a[spring];
+    bool anchored = c->spring.b[spring] == SPRING_ANCHOR;
+    const double *b =
+        anchored ? c->spring.anchor + 3 * (size_t)spring : c->particle.x + 3 * (size_t)c->spring.b[spring];
+    double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    if (anchored && c->spring.glides[spring])
+        return fabs(d[2]);
+    return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
 }
 
 uint32_t colony_row(colony *c, uint64_t id) {

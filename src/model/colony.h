@@ -89,6 +89,12 @@ void colony_drop_links(colony *c, const bool *drop);
 /* Cell rows in the order of their ids (c->cell.count of them). Holds until the colony changes. */
 const uint32_t *colony_by_id(colony *c);
 
+/* Link rows in the order of their ids (c->link.count of them); the caller frees. */
+uint32_t *colony_links_by_id(const colony *c);
+
+/* Present length of a spring, um; of a gliding anchor: along z only. */
+double colony_spring_length(const colony *c, uint32_t spring);
+
 /* Row of the cell with this id; COLONY_NO_ROW when it is not there. */
 uint32_t colony_row(colony *c, uint64_t id);
 

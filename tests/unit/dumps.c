@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every text dump is written and read back by a reader that knows only the format. */
 #include "check.h"
+#include "scratch.h"
 
 #include "base/alloc.h"
 #include "output/dump.h"
@@ -133,21 +134,6 @@ static void make_columns(culture *k, output_column columns[COLUMNS]) {
 }
 
 /* ---- files ------------------------------------------------------------------------------------------------------ */
-
-static char folder[] = "dumps.XXXXXX";
-
-static int make_folder(void **state) {
-    (void)state;
-    return mkdtemp(folder) ? 0 : -1;
-}
-
-static int drop_folder(void **state) {
-    (void)state;
-    char *command = alloc_format("rm -r %s", folder);
-    int status = system(command);
-    free(command);
-    return status;
-}
 
 static FILE *open_file(const char *name) {
     char *path = alloc_format("%s/%s", folder, name);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The thermo table as it looks on the screen and as its file reads back. */
 #include "check.h"
+#include "scratch.h"
 
 #include "base/alloc.h"
 #include "base/path.h"
@@ -49,21 +50,6 @@ static void check_file(const char *path, const char *wanted) {
     char *text = read_file(path);
     assert_string_equal(text, wanted);
     free(text);
-}
-
-static char folder[] = "thermo.XXXXXX";
-
-static int make_folder(void **state) {
-    (void)state;
-    return mkdtemp(folder) ? 0 : -1;
-}
-
-static int drop_folder(void **state) {
-    (void)state;
-    char *command = alloc_format("rm -r %s", folder);
-    int status = system(command);
-    free(command);
-    return status;
 }
 
 static char *path_of(const char *name) {

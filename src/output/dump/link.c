@@ -7,7 +7,6 @@
  * with glides 1 follows below the particle. Of a group: the springs all of whose cells are in it. */
 #include "output/dump/styles.h"
 
-#include "base/alloc.h"
 #include "output/field.h"
 
 #include <inttypes.h>
@@ -90,24 +89,11 @@ static void put_link(const dump_frame *f, uint32_t link, FILE *out) {
     }
 }
 
-typedef struct id_row {
-    uint64_t id;
-    uint32_t row;
-} id_row;
-
-static int compare_id(const void *a, const void *b) {
-    const id_row *p = a, *q = b;
-    return (p->id > q->id) - (p->id < q->id);
-}
-
 static void put_links(const dump_frame *f, FILE *out) {
     const colony *c = f->view->colony;
-    id_row *order = alloc_zeroed(c->link.count, sizeof *order);
-    for (uint32_t l = 0; l < c->link.count; l++)
-        order[l] = (id_row){c->link.id[l], l};
-    qsort(order, c->link.count, sizeof *order, compare_id);
+    uint32_t *order = colony_links_by_id(c);
     for (size_t i = 0; i < c->link.count; i++)
-        put_link(f, order[i].row, out);
+        put_link(f, order[i], out);
     free(order);
 }
 
