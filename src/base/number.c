@@ -62,11 +62,6 @@ double number_read(const char *text, size_t n, int shift) {
     return x;
 }
 
-bool number_is_whole(const char *text, size_t n) {
-    size_t s = sign(text, n, 0), d = digits(text, n, s);
-    return d > 0 && s + d == n;
-}
-
 const char *number_write(double x, char buffer[32]) {
     snprintf(buffer, 32, "%.15g", x);
     if (strtod(buffer, NULL) != x)

@@ -14,9 +14,6 @@ size_t number_length(const char *text, size_t n, bool sign_allowed);
  * text is shifted before it is converted. Infinite or 0 where binary64 ends. */
 double number_read(const char *text, size_t n, int shift);
 
-/* Whether the n bytes are all digits with at most a leading sign: whole numbers of ranges. */
-bool number_is_whole(const char *text, size_t n);
-
 /* x as the shortest of %.15g and %.17g that reads back as x. */
 const char *number_write(double x, char buffer[32]);
 

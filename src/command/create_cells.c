@@ -34,8 +34,7 @@ static int read_placement(interp *in, const args *a, placement *p, diag *d) {
     *p = (placement){.species = args_row(a, "NAME"),
                      .gap = args_given(a, "gap") ? args_number(a, "gap") : (double)NAN,
                      .overlap = args_flag(a, "overlap"),
-                     .maxtry = (int)args_int(a, "maxtry"),
-                     .filament = 1};
+                     .maxtry = (int)args_int(a, "maxtry")};
     p->orient = args_orient(a, "orient", p->axis);
     return read_mass(interp_scene(in), a, p->species, &p->mass, d);
 }

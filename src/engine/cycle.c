@@ -49,12 +49,10 @@ int scene_relax(scene *s, double time, double force, relax_result *result, diag 
     int status = scene_prepare(s, d);
     if (status == SARCINA_OK)
         status = relax_run(s->mechanics, &s->relax, &goal, result, d);
-    if (status == SARCINA_OK) {
+    if (status == SARCINA_OK)
         s->relaxed += result->time;
-        s->last_relax = *result;
-    } else {
+    else
         snapshot_restore(s, before);
-    }
     snapshot_free(before);
     clock_stage(&s->timing.relax, t);
     return status;

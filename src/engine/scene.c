@@ -5,8 +5,6 @@
 #include "base/alloc.h"
 #include "biology/division.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,7 +16,6 @@ static void set_defaults(scene *s) {
             s->accuracy = (int)i;
     s->relax = accuracy_presets[s->accuracy].settings;
     memset(&s->forces, 0, sizeof s->forces);
-    memset(&s->last_relax, 0, sizeof s->last_relax);
     memset(&s->timing, 0, sizeof s->timing);
     s->step = s->growth_steps = s->deletions = 0;
     s->time = s->relaxed = 0;
@@ -101,17 +98,6 @@ view scene_view(scene *s) {
                   .relaxed = s->relaxed,
                   .wall = s->timing.total,
                   .cache = s->cache};
-}
-
-void scene_warn(scene *s, const char *format, ...) {
-    if (!s->warn)
-        return;
-    char message[512];
-    va_list list;
-    va_start(list, format);
-    vsnprintf(message, sizeof message, format, list);
-    va_end(list);
-    s->warn(s->warn_self, message);
 }
 
 void scene_delete(scene *s, const bool *doomed) {

@@ -44,10 +44,7 @@ typedef struct scene {
         force_set forces;
     } cached;
     scene_timing timing;
-    relax_result last_relax;
-    const volatile sig_atomic_t *interrupt;        /* set by a signal handler; NULL */
-    void (*warn)(void *self, const char *message); /* NULL: warnings are dropped */
-    void *warn_self;
+    const volatile sig_atomic_t *interrupt; /* set by a signal handler; NULL */
 } scene;
 
 /* Wall time in seconds, from any beginning. */
@@ -75,8 +72,6 @@ int scene_relax(scene *s, double time, double force, relax_result *result, diag 
  * before it. */
 int scene_cycle(scene *s, double dt, double relax_time, double relax_force, diag *d);
 
-void scene_warn(scene *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
 /* After a change of a species' shape, density or rules: sizes and division limits of its cells follow. */
 void scene_refresh_species(scene *s, int row);
 
@@ -91,7 +86,6 @@ typedef struct placement {
     double gap;     /* lowest surface this far above the substratum, um; NaN: the given z counts */
     bool overlap;   /* may it overlap what is there (and what is created with it)? */
     int maxtry;     /* draws of a place before giving up */
-    int filament;   /* cells in a row; 1 */
 } placement;
 
 /* A cell read from a file or given whole; axis 0 0 0 and mass/diameter NaN: drawn as for the others. */

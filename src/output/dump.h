@@ -6,7 +6,7 @@
 
 #include "analysis/view.h"
 #include "base/param.h"
-#include "output/column.h"
+#include "engine/column.h"
 
 #include <stdio.h>
 

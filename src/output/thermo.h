@@ -7,7 +7,7 @@
 #ifndef SARCINA_OUTPUT_THERMO_H
 #define SARCINA_OUTPUT_THERMO_H
 
-#include "output/column.h"
+#include "engine/column.h"
 
 #include <stddef.h>
 

@@ -16,17 +16,11 @@ enum { WARNINGS_SHOWN = 20 };
 
 /* ---- life ---- */
 
-static void warn_of_scene(void *self, const char *message) {
-    interp_warn(self, "%s", message);
-}
-
 interp *interp_create(const interp_host *host) {
     interp *in = alloc_zeroed(1, sizeof *in);
     in->host = host;
     in->echo = ECHO_LOG;
     in->scene = scene_create();
-    in->scene->warn = warn_of_scene;
-    in->scene->warn_self = in;
     in->scene->interrupt = host->interrupt;
     if (host->commands->client_create)
         in->client = host->commands->client_create(in);
@@ -72,16 +66,8 @@ bool interp_checking(const interp *in) {
     return in->check.on;
 }
 
-bool interp_replaying(const interp *in) {
-    return in->replaying;
-}
-
 void interp_set_units(interp *in, unit_system u) {
     in->units = u;
-}
-
-unit_system interp_units(const interp *in) {
-    return in->units;
 }
 
 double interp_unit(const interp *in, dim d) {
@@ -347,12 +333,10 @@ void interp_journal_clear(interp *in) {
 int interp_journal_replay(interp *in, const char *const *texts, size_t n, diag *d) {
     echo_mode echo = in->echo;
     int status = SARCINA_OK;
-    in->replaying = true;
     in->echo = ECHO_NONE;
     for (size_t i = 0; i < n && !status; i++)
         status = interp_execute(in, texts[i], d);
     in->echo = echo;
-    in->replaying = false;
     return status;
 }
 

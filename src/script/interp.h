@@ -16,12 +16,10 @@ typedef struct command_table command_table; /* script/command.h */
 
 scene *interp_scene(interp *in);
 void *interp_client(interp *in);
-bool interp_checking(const interp *in);  /* -check: change only names and settings, touch no file */
-bool interp_replaying(const interp *in); /* interp_journal_replay is running */
+bool interp_checking(const interp *in); /* -check: change only names and settings, touch no file */
 
 typedef enum { UNITS_SI, UNITS_BIO } unit_system;
 void interp_set_units(interp *in, unit_system u);
-unit_system interp_units(const interp *in);
 
 bool interp_in_loop(const interp *in); /* a body of for, while or repeat is running */
 

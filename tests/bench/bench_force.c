@@ -45,8 +45,7 @@ static scene *start_colony(void) {
     s->division.values[DIVISION_SIZE] = spread_fixed(NAN);
     s->division.values[DIVISION_JITTER] = spread_fixed(0.01);
     s->division.values[DIVISION_AXIS] = spread_fixed(AXIS_AUTO);
-    const placement place = {
-        .species = 0, .orient = ORIENT_XY, .mass = spread_fixed(2.12), .gap = 0, .maxtry = 1, .filament = 1};
+    const placement place = {.species = 0, .orient = ORIENT_XY, .mass = spread_fixed(2.12), .gap = 0, .maxtry = 1};
     size_t created;
     scene_create_single(sc, &place, (double[]){0, 0, 0}, &created, NULL);
     return sc;
