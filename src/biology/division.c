@@ -5,155 +5,13 @@
 
 #include "base/alloc.h"
 #include "base/table.h"
-#include "base/vec3.h"
-#include "model/axis.h"
+#include "biology/division/rules.h"
 #include "model/shape.h"
 
-#include <gsl/gsl_randist.h>
 #include <math.h>
 #include <stdlib.h>
 
-#define JITTER_PARAMS                                                                                                  \
-    {"jitter=10nm:length[0,)",                                                                                         \
-     "displacement of one new particle, without which exactly aligned daughters stay aligned"},                        \
-    {                                                                                                                  \
-        "axis=auto:{auto|x|y|z}", "its direction; auto: drawn, horizontal on a substratum"                             \
-    }
-
-static const param midpoint_params[] = {
-    {"mass:mass~!1(0,1e-9kg)", "mass above which a cell divides"},
-    {"length:length~!1(0,1mm)", "or its total length"},
-    JITTER_PARAMS,
-};
-static const param random_params[] = {
-    {"mass:mass~!1(0,1e-9kg)", "mass above which a cell divides"},
-    {"diameter:length~!1(0,)", "or its diameter"},
-    JITTER_PARAMS,
-    {"tries=100:int[1,)", "directions drawn in search of one without overlap"},
-};
-
-static double *particle(const colony *c, uint32_t cell, uint32_t i) {
-    return c->particle.x + 3 * ((size_t)c->cell.first[cell] + i);
-}
-
-static double *velocity(const colony *c, uint32_t cell, uint32_t i) {
-    return c->particle.v + 3 * ((size_t)c->cell.first[cell] + i);
-}
-
-/* The displacement that breaks the symmetry of the daughters (model: "jitter"). */
-static vec3 draw_jitter(const division_context *x, const style_choice *rule, uint64_t id) {
-    double length = rule->values[DIVISION_JITTER].a;
-    int axis = (int)rule->values[DIVISION_AXIS].a;
-    vec3 u = {axis == AXIS_X, axis == AXIS_Y, axis == AXIS_Z};
-    if (axis == AXIS_AUTO) {
-        gsl_rng *stream = rng_stream(x->rng, RNG_JITTER, id, 0);
-        if (x->substratum)
-            gsl_ran_dir_2d(stream, &u.x, &u.y);
-        else
-            gsl_ran_dir_3d(stream, &u.x, &u.y, &u.z);
-    }
-    return vec3_scale(length, u);
-}
-
-static void lift(const division_context *x, uint32_t cell, uint32_t i) {
-    double *p = particle(x->colony, cell, i), lowest = x->substratum_z + 0.5 * x->colony->cell.diameter[cell];
-    if (x->substratum && p[2] < lowest)
-        p[2] = lowest;
-}
-
-/* A rod divides in the middle: the mother keeps her first particle, the daughter the last; between them stand two new
- * particles whose balls touch. Velocities go with the particles' places. */
-static void place_midpoint(const division_context *x, uint32_t mother, uint32_t daughter) {
-    colony *c = x->colony;
-    const style_choice *rule = &x->species->list[c->cell.species[mother]].division;
-    vec3 a = vec3_load(particle(c, mother, 0)), b = vec3_load(particle(c, mother, 1));
-    vec3 d = vec3_sub(b, a);
-    double length = vec3_norm(d);
-    if (length > 0) {
-        d = vec3_scale(1 / length, d);
-    } else {
-        double u[3];
-        rng_direction(rng_get_seed(x->rng), c->cell.id[mother], c->cell.id[daughter], u);
-        d = vec3_load(u);
-    }
-    vec3 middle = vec3_scale(0.5, vec3_add(a, b));
-    vec3 near_end = vec3_axpy(middle, -0.5 * c->cell.diameter[mother], d);
-    vec3 far_end = vec3_axpy(middle, 0.5 * c->cell.diameter[daughter], d);
-    far_end = vec3_add(far_end, draw_jitter(x, rule, c->cell.id[daughter]));
-
-    vec3 va = vec3_load(velocity(c, mother, 0)), vb = vec3_load(velocity(c, mother, 1));
-    vec3 between = vec3_scale(0.5, vec3_add(va, vb));
-    vec3_store(velocity(c, mother, 1), between);
-    vec3_store(velocity(c, daughter, 0), between);
-    vec3_store(velocity(c, daughter, 1), vb);
-    vec3_store(particle(c, mother, 1), near_end);
-    vec3_store(particle(c, daughter, 0), far_end);
-    vec3_store(particle(c, daughter, 1), b);
-    lift(x, mother, 1);
-    lift(x, daughter, 0);
-}
-
-/* Cells that a daughter placed within two radii of the mother's centre could touch; the caller frees. */
-static uint32_t *cells_near(const colony *c, uint32_t mother, uint32_t daughter, const double centre[3],
-                            size_t *count) {
-    double reach = 2 * c->cell.diameter[mother];
-    uint32_t *near = alloc_zeroed(c->cell.count, sizeof *near);
-    *count = 0;
-    for (uint32_t i = 0; i < c->cell.count; i++)
-        if (i != mother && i != daughter && axis_cell_point_distance(c, i, centre) < reach + 0.5 * c->cell.diameter[i])
-            near[(*count)++] = i;
-    return near;
-}
-
-/* Sum of the overlaps that a coccus of radius r at p would have. */
-static double overlap_at(const colony *c, const uint32_t *near, size_t n, vec3 p, double r) {
-    double sum = 0, at[3];
-    vec3_store(at, p);
-    for (size_t i = 0; i < n; i++) {
-        double overlap = r + 0.5 * c->cell.diameter[near[i]] - axis_cell_point_distance(c, near[i], at);
-        sum += overlap > 0 ? overlap : 0;
-    }
-    return sum;
-}
-
-/* A coccus divides into two that touch, in a direction drawn until neither overlaps a neighbour; after `tries` the one
- * with the least overlap counts. */
-static void place_random(const division_context *x, uint32_t mother, uint32_t daughter) {
-    colony *c = x->colony;
-    const style_choice *rule = &x->species->list[c->cell.species[mother]].division;
-    vec3 centre = vec3_load(particle(c, mother, 0)), best = {0, 0, 1};
-    double r = 0.5 * c->cell.diameter[mother], least = INFINITY;
-    size_t count;
-    uint32_t *near = cells_near(c, mother, daughter, particle(c, mother, 0), &count);
-    gsl_rng *stream = rng_stream(x->rng, RNG_DIRECTION, c->cell.id[daughter], 0);
-    for (int i = 0; i < (int)rule->values[DIVISION_TRIES].a && least > 0; i++) {
-        vec3 u;
-        gsl_ran_dir_3d(stream, &u.x, &u.y, &u.z);
-        vec3 p = vec3_axpy(centre, -r, u), q = vec3_axpy(centre, r, u);
-        double overlap = overlap_at(c, near, count, p, r) + overlap_at(c, near, count, q, r);
-        if (x->substratum && fmin(p.z, q.z) < x->substratum_z + r)
-            overlap += x->substratum_z + r - fmin(p.z, q.z);
-        if (overlap < least) {
-            least = overlap;
-            best = u;
-        }
-    }
-    free(near);
-    vec3 jitter = draw_jitter(x, rule, c->cell.id[daughter]);
-    vec3_store(particle(c, mother, 0), vec3_axpy(centre, -r, best));
-    vec3_store(particle(c, daughter, 0), vec3_add(vec3_axpy(centre, r, best), jitter));
-    vec3_store(velocity(c, daughter, 0), vec3_load(velocity(c, mother, 0)));
-    lift(x, mother, 0);
-    lift(x, daughter, 0);
-}
-
-const division_style division_styles[] = {
-    {"midpoint", "a rod divides in the middle", "Storck et al. 2014, growth and division",
-     "division ecoli midpoint mass 2.45e-15kg", SHAPE_ROD, midpoint_params, TABLE_COUNT(midpoint_params),
-     place_midpoint},
-    {"random", "a coccus divides in a random free direction", "Storck et al. 2014, growth and division",
-     "division cf random mass 5.95e-16kg", SHAPE_COCCUS, random_params, TABLE_COUNT(random_params), place_random},
-};
+const division_style *const division_styles[] = {&division_midpoint, &division_random, &division_planes};
 const size_t division_style_count = TABLE_COUNT(division_styles);
 
 /* Mass of a cell of the species whose size (rod: total length; coccus: diameter) is given. */
@@ -196,11 +54,13 @@ double division_mean_mass(const species *s) {
 int division_check(const species *s, diag *d) {
     if (s->division.style < 0)
         return SARCINA_OK;
-    const division_style *rule = &division_styles[s->division.style];
-    if (rule->shape != s->shape) {
+    const division_style *rule = division_styles[s->division.style];
+    if (!(rule->shapes >> s->shape & 1)) {
         diag_error(d, "division %s is for %s; species %s is a %s", rule->name,
-                   rule->shape == SHAPE_ROD ? "rods" : "cocci", s->name, s->shape == SHAPE_ROD ? "rod" : "coccus");
-        return diag_help(d, s->shape == SHAPE_ROD ? "a rod divides by 'midpoint'" : "a coccus divides by 'random'");
+                   rule->shapes == DIVISION_COCCI ? "cocci" : "rods", s->name,
+                   s->shape == SHAPE_ROD ? "rod" : "coccus");
+        return diag_help(d, s->shape == SHAPE_ROD ? "a rod divides by 'midpoint'"
+                                                  : "a coccus divides by 'random' or 'planes N'");
     }
     double mass = division_mean_mass(s);
     double rest = species_rest(s, mass / 2, spread_mean(&s->diameter), spread_mean(&s->aspect));
@@ -257,7 +117,7 @@ size_t division_step(const division_context *x) {
         uint32_t mother = mothers[i];
         const species *s = &x->species->list[c->cell.species[mother]];
         uint32_t daughter = add_daughter(x, mother);
-        division_styles[s->division.style].place(x, mother, daughter);
+        division_styles[s->division.style]->place(x, mother, daughter);
     }
     free(mothers);
     return due;

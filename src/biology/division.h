@@ -21,7 +21,8 @@ typedef struct division_context {
 
 typedef struct division_style {
     const char *name, *summary, *source, *example;
-    shape_kind shape;    /* whose rule it is */
+    const char *head;    /* its name as a command has it, with the arguments in place */
+    unsigned shapes;     /* whose rule it is: bit SHAPE_... */
     const param *params; /* in the order of style_choice.values; the first two are sizes at division, one of which
                           * counts and the other is NaN */
     size_t nparams;
@@ -30,10 +31,15 @@ typedef struct division_style {
     void (*place)(const division_context *x, uint32_t mother, uint32_t daughter);
 } division_style;
 
-extern const division_style division_styles[];
+extern const division_style *const division_styles[];
 extern const size_t division_style_count;
 
-enum { DIVISION_MASS, DIVISION_SIZE, DIVISION_JITTER, DIVISION_AXIS, DIVISION_TRIES };
+enum { DIVISION_COCCI = 1 << SHAPE_COCCUS, DIVISION_RODS = 1 << SHAPE_ROD };
+
+/* Columns of style_choice.values: four that every rule has, then its own. */
+enum { DIVISION_MASS, DIVISION_SIZE, DIVISION_JITTER, DIVISION_AXIS, DIVISION_OWN };
+enum { DIVISION_TRIES = DIVISION_OWN };  /* of random */
+enum { DIVISION_PLANES = DIVISION_OWN }; /* of planes */
 enum { AXIS_AUTO, AXIS_X, AXIS_Y, AXIS_Z };
 
 /* Mass at which a cell divides, pg: drawn once a life where the rule has a spread; infinite without a rule. */

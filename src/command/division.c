@@ -22,7 +22,7 @@ static int run_division(interp *in, const args *a, diag *d) {
     scene *s = interp_scene(in);
     int row = args_row(a, "NAME");
     species changed = s->species.list[row];
-    const division_style *style = &division_styles[args_style(a)];
+    const division_style *style = division_styles[args_style(a)];
     style_choice *rule = &changed.division;
     bool amending = rule->style == args_style(a);
     style_values(a, style->params, style->nparams, amending, rule->values);
@@ -61,7 +61,7 @@ static const command_form off_form = {"division NAME:species off",
 
 void command_division(command_table *t) {
     for (size_t i = 0; i < division_style_count; i++) {
-        const division_style *s = &division_styles[i];
+        const division_style *s = division_styles[i];
         const command_form common = {.details =
                                          "A cell divides once its mass exceeds that at division. Both halves have "
                                          "half the mass; the daughter draws her own diameter.",
@@ -69,7 +69,7 @@ void command_division(command_table *t) {
                                      .flags = COMMAND_DECLARES,
                                      .run = run_division,
                                      .exists = stands};
-        char *head = alloc_format("division NAME:species %s", s->name);
+        char *head = alloc_format("division NAME:species %s", s->head);
         command_add_style(t, &common, head, s->summary, s->params, s->nparams, (int)i);
         free(head);
     }

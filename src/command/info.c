@@ -26,7 +26,7 @@ static void show_species(interp *in, const scene *s) {
         interp_print(in, "species     %s: %s, %zu cells, growth %s, division %s", sp->name,
                      sp->shape == SHAPE_ROD ? "rod" : "coccus", cells_of(s, i),
                      sp->growth.style < 0 ? "off" : growth_styles[sp->growth.style].name,
-                     sp->division.style < 0 ? "off" : division_styles[sp->division.style].name);
+                     sp->division.style < 0 ? "off" : division_styles[sp->division.style]->name);
     }
 }
 

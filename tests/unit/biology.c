@@ -3,6 +3,7 @@
 #include "check.h"
 
 #include "base/rng.h"
+#include "base/vec3.h"
 #include "biology/division.h"
 #include "biology/growth.h"
 #include "model/axis.h"
@@ -254,6 +255,62 @@ static void test_refusals(void **state) {
     discard(&k);
 }
 
+/* Unit vector from one cell to another. */
+static vec3 direction_to(const culture *k, uint64_t from, uint64_t to) {
+    const double *a = k->c->particle.x + 3 * (size_t)k->c->cell.first[colony_row(k->c, from)];
+    const double *b = k->c->particle.x + 3 * (size_t)k->c->cell.first[colony_row(k->c, to)];
+    vec3 d = vec3_sub(vec3_load(b), vec3_load(a));
+    return vec3_scale(1 / vec3_norm(d), d);
+}
+
+/* The cosines between a cell's first three axes of division are 1 (one plane), or 0 between successive ones and 1 (two)
+ * or 0 (three) between the first and the third; the daughter's next axis is at right angles to her birth's. Rows change
+ * their order meanwhile. */
+static void test_planes(void **state) {
+    (void)state;
+    for (int planes = 1; planes <= 3; planes++) {
+        culture k = make(SHAPE_COCCUS);
+        set_rule(&k.t.list[0], 2, 0.6);
+        k.t.list[0].division.values[DIVISION_PLANES] = spread_fixed(planes);
+        vec3 axis[3], daughters = {0, 0, 0};
+        for (int round = 0; round < 3; round++) {
+            for (uint32_t i = 0; i < k.c->cell.count; i++) {
+                k.c->cell.mass[i] = 0.61;
+                species_shape_cell(&k.t.list[0], k.c, i);
+            }
+            reverse_rows(k.c);
+            uint64_t newborn = k.c->next_cell_id;
+            assert_int_equal(divide(&k), 1 << round);
+            axis[round] = direction_to(&k, 1, newborn);
+            if (round == 1)
+                daughters = direction_to(&k, 2, newborn + 1);
+        }
+        assert_near(vec3_dot(axis[0], axis[1]), planes == 1, 1e-12);
+        assert_near(vec3_dot(axis[1], axis[2]), planes == 1, 1e-12);
+        assert_near(fabs(vec3_dot(axis[0], axis[2])), planes < 3, 1e-12);
+        assert_near(vec3_dot(axis[0], daughters), planes == 1, 1e-12);
+        discard(&k);
+    }
+}
+
+/* On a substratum the first two axes lie in the plane. */
+static void test_planes_on_substratum(void **state) {
+    (void)state;
+    culture k = make(SHAPE_COCCUS);
+    set_rule(&k.t.list[0], 2, 0.6);
+    k.t.list[0].division.values[DIVISION_PLANES] = spread_fixed(2);
+    k.substratum = true;
+    for (int round = 0; round < 2; round++) {
+        for (size_t i = 0; i < k.c->cell.count; i++)
+            k.c->cell.mass[i] = 0.61;
+        divide(&k);
+    }
+    assert_int_equal(k.c->cell.count, 4);
+    for (int i = 1; i < 4; i++)
+        assert_near(k.c->particle.x[3 * i + 2], k.c->particle.x[2], 1e-12);
+    discard(&k);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_division_conserves),
@@ -263,6 +320,8 @@ int main(void) {
         cmocka_unit_test(test_exponential_growth),
         cmocka_unit_test(test_row_order_does_not_matter),
         cmocka_unit_test(test_rate_moments_and_draws),
+        cmocka_unit_test(test_planes),
+        cmocka_unit_test(test_planes_on_substratum),
         cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
