@@ -7,7 +7,6 @@
 #include "base/alloc.h"
 #include "script/interp.h"
 
-#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -54,12 +53,6 @@ static int run_pipe(interp *in, const options *o) {
     return status;
 }
 
-static void tell_warnings(const interp *in) {
-    uint64_t n = interp_warnings(in);
-    if (n)
-        fprintf(stderr, "%" PRIu64 " warning%s\n", n, n == 1 ? "" : "s");
-}
-
 static int run_all(interp *in, const options *o) {
     bool nothing = !o->file && !o->ncommands, terminal = isatty(STDIN_FILENO);
     int status = SARCINA_OK, code = 0;
@@ -71,7 +64,6 @@ static int run_all(interp *in, const options *o) {
         status = run_pipe(in, o);
     if ((nothing && terminal) || o->interactive)
         status = repl_run(in);
-    tell_warnings(in);
     return interp_has_quit(in, &code) && !status ? code : status;
 }
 
@@ -89,7 +81,9 @@ static int run_program(const options *o) {
     } else {
         interp *in = program_interp(&p, o, &d);
         status = in ? run_all(in, o) : (int)d.status;
-        if (!in)
+        if (in)
+            program_end(&p, in);
+        else
             program_complain(&d);
         interp_free(in);
     }

@@ -38,7 +38,7 @@ static int take_command(options *o, char **words, diag *d) {
 
 static int take_log(options *o, char **words, diag *d) {
     (void)d;
-    o->log = strcmp(words[0], "none") == 0 ? NULL : words[0];
+    o->log = words[0];
     return SARCINA_OK;
 }
 
@@ -91,7 +91,9 @@ const char *options_help(void) {
            "  -i                 stay at the prompt afterwards\n"
            "  -check             read and check the whole script, report every error, run nothing\n"
            "  -test PATH...      run the scripts *.test.in of these files and folders; print N passed, N failed\n"
-           "  -log FILE|none     write a log\n"
+           "  -log FILE|none     write the log to FILE or nowhere; otherwise, once cells move, to log.sarcina (an "
+           "earlier\n"
+           "                     one becomes log.sarcina.1, .2 ...)\n"
            "  -screen FILE|none  print to this file, or nowhere\n"
            "  -echo MODE         none, screen, log or both: where commands are shown as they run\n"
            "  -threads N         processor cores to compute on\n"
@@ -124,7 +126,7 @@ static int take_option(options *o, const char *name, char **words, int left, int
 }
 
 int options_read(options *o, int argc, char **argv, diag *d) {
-    *o = (options){0};
+    *o = (options){.argc = argc, .argv = argv};
     int status = SARCINA_OK;
     for (int i = 1; i < argc && !status; i++) {
         char *word = argv[i];

@@ -9,6 +9,8 @@
 #include <stddef.h>
 
 typedef struct options {
+    int argc; /* the words themselves */
+    char *const *argv;
     const char *file;   /* NULL: none */
     const char **names; /* of -var; texts beside them */
     const char **texts;
@@ -17,7 +19,7 @@ typedef struct options {
     size_t ncommands;
     const char **tests; /* behind -test */
     size_t ntests;
-    const char *log;    /* NULL: none */
+    const char *log;    /* a file; "none"; NULL: log.sarcina (logfile.h) */
     const char *screen; /* NULL: standard output; "none"; a file */
     const char *echo;   /* NULL: as the language has it */
     int threads;        /* 0: not given */

@@ -6,9 +6,11 @@
 
 #include <errno.h>
 #include <gsl/gsl_errno.h>
+#include <inttypes.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 static volatile sig_atomic_t interrupted;
@@ -43,49 +45,60 @@ void program_complain(const diag *d) {
 
 /* ---- callbacks ---- */
 
+/* Takes the progress line away, so that what is printed next stands alone. */
+static void erase_progress(program *p) {
+    if (p->shown)
+        fputs("\r\033[K", stderr);
+    p->shown = false;
+}
+
+/* No line from the background of a terminal; a line that is too long would wrap and stay: it is cut. */
+static void show_progress(void *self, const char *line) {
+    program *p = self;
+    struct winsize size;
+    erase_progress(p);
+    if (!line || tcgetpgrp(STDERR_FILENO) != getpgrp())
+        return;
+    int columns = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - 1 : 79;
+    fprintf(stderr, "%.*s", columns, line);
+    p->shown = true;
+}
+
 static void print_screen(void *self, const char *text) {
-    const program *p = self;
+    program *p = self;
     if (!p->screen)
         return;
+    erase_progress(p);
     fputs(text, p->screen);
     fflush(p->screen);
 }
 
 static void print_log(void *self, const char *text) {
-    const program *p = self;
-    if (p->log)
-        fputs(text, p->log);
+    logfile_put(&((program *)self)->log, text);
+}
+
+static bool start_log(void *self) {
+    return logfile_start(&((program *)self)->log);
 }
 
 static void print_error(void *self, const char *text) {
-    const program *p = self;
+    program *p = self;
     if (p->screen)
         fflush(p->screen);
+    erase_progress(p);
     fputs(text, stderr);
-    if (p->log)
-        fputs(text, p->log);
-}
-
-static void close_log(program *p) {
-    if (p->log)
-        fclose(p->log);
-    p->log = NULL;
+    logfile_put(&p->log, text);
 }
 
 static int open_log(void *self, const char *path, bool append, diag *d) {
-    program *p = self;
-    FILE *f = path ? fopen(path, append ? "a" : "w") : NULL;
-    if (path && !f)
-        return diag_error(d, "cannot write the log '%s': %s", path, strerror(errno));
-    close_log(p);
-    p->log = f;
-    return SARCINA_OK;
+    return logfile_open(&((program *)self)->log, path, append, d);
 }
 
 static int run_shell(void *self, const char *command, diag *d) {
-    const program *p = self;
+    program *p = self;
     if (p->screen)
         fflush(p->screen);
+    erase_progress(p);
     int code = system(command);
     return code == 0 ? SARCINA_OK : diag_error(d, "the command ended with %d: %s", code, command);
 }
@@ -122,18 +135,25 @@ static int open_outputs(program *p, const options *o, diag *d) {
     p->screen = none ? NULL : o->screen ? fopen(o->screen, "w") : stdout;
     if (!none && !p->screen)
         return diag_fail(d, SARCINA_USAGE, "cannot write '%s': %s", o->screen, strerror(errno));
-    return o->log ? open_log(p, o->log, false, d) : SARCINA_OK;
+    logfile_create(&p->log, !o->log && !o->test && !o->check, o->argc, o->argv);
+    return o->log && strcmp(o->log, "none") != 0 ? open_log(p, o->log, false, d) : SARCINA_OK;
+}
+
+/* Lines that replace each other are for somebody who looks on. */
+static bool has_terminal(const program *p) {
+    const char *kind = getenv("TERM");
+    return p->screen == stdout && isatty(STDOUT_FILENO) && isatty(STDERR_FILENO) && kind && strcmp(kind, "dumb") != 0;
 }
 
 int program_create(program *p, const options *o, diag *d) {
     *p = (program){0};
     gsl_set_error_handler_off();
     int status = open_outputs(p, o, d);
-    if (status)
-        return status;
-    p->units = units_create(d);
-    if (!p->units)
-        return SARCINA_ERROR;
+    p->units = status ? NULL : units_create(d);
+    if (!p->units) {
+        program_free(p);
+        return status ? status : SARCINA_ERROR;
+    }
     p->commands = command_table_create(p->units);
     commands_add(p->commands);
     p->library = find_library();
@@ -142,6 +162,8 @@ int program_create(program *p, const options *o, diag *d) {
                             .self = p,
                             .screen = print_screen,
                             .log = print_log,
+                            .start_log = start_log,
+                            .progress = has_terminal(p) ? show_progress : NULL,
                             .error = print_error,
                             .open_log = open_log,
                             .shell = run_shell,
@@ -157,10 +179,17 @@ void program_free(program *p) {
     command_table_free(p->commands);
     units_free(p->units);
     free(p->library);
-    close_log(p);
+    logfile_end(&p->log, 0);
     if (p->screen && p->screen != stdout)
         fclose(p->screen);
     *p = (program){0};
+}
+
+void program_end(program *p, const interp *in) {
+    uint64_t n = interp_warnings(in);
+    if (n)
+        fprintf(stderr, "%" PRIu64 " warning%s\n", n, n == 1 ? "" : "s");
+    logfile_end(&p->log, n);
 }
 
 interp *program_interp(program *p, const options *o, diag *d) {

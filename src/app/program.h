@@ -3,6 +3,7 @@
 #ifndef SARCINA_APP_PROGRAM_H
 #define SARCINA_APP_PROGRAM_H
 
+#include "app/logfile.h"
 #include "app/options.h"
 #include "script/interp.h"
 
@@ -12,13 +13,18 @@ typedef struct program {
     interp_host host;
     units *units;
     command_table *commands;
-    FILE *screen, *log; /* NULL: nowhere */
+    FILE *screen; /* NULL: nowhere */
+    logfile log;
+    bool shown; /* a progress line stands on the terminal */
     char *library;
 } program;
 
 /* Sets up everything from the command line. On an error nothing is left to free. */
 int program_create(program *p, const options *o, diag *d);
 void program_free(program *p);
+
+/* The end of what there was to do: a word on warnings, and the end of the log. */
+void program_end(program *p, const interp *in);
 
 /* An interpreter with the variables and settings of the command line. */
 interp *program_interp(program *p, const options *o, diag *d);

@@ -25,8 +25,12 @@ static void free_session(void *client) {
     free(s);
 }
 
+static void end_loop(interp *in) {
+    run_report_end_loop(in, &session_of(in)->report);
+}
+
 void commands_add(command_table *t) {
-    command_set_client(t, create_session, free_session);
+    command_set_client(t, create_session, free_session, end_loop);
 #define COMMAND_ADD(name) command_##name(t);
     COMMAND_FILES(COMMAND_ADD)
 #undef COMMAND_ADD

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* grow DT; relax T; relax to F [within T]: the two primitives a cycle is made of. */
 #include "command/commands.h"
+#include "command/run_report.h"
 
 #include "base/table.h"
 
@@ -13,6 +14,8 @@ static int run_grow(interp *in, const args *a, diag *d) {
 static int run_relax(interp *in, const args *a, diag *d) {
     relax_result r = {0};
     int status = scene_relax(interp_scene(in), args_number(a, "T"), 0, &r, d);
+    if (!status)
+        run_report_relaxation(in, &r);
     if (!status && r.stop == RELAX_INTERRUPTED)
         return diag_fail(d, SARCINA_INTERRUPTED, "interrupted after %g s of relaxation", r.time);
     return status;
@@ -25,6 +28,7 @@ static int run_relax_to(interp *in, const args *a, diag *d) {
     int status = scene_relax(interp_scene(in), within, args_number(a, "F"), &r, d);
     if (status)
         return status;
+    run_report_relaxation(in, &r);
     if (r.stop == RELAX_INTERRUPTED)
         return diag_fail(d, SARCINA_INTERRUPTED, "interrupted after %g s of relaxation", r.time);
     interp_print(in, "relaxed for %.6g s in %llu steps (%llu evaluations): stopped by %s, largest net force %.3g N",

@@ -20,13 +20,13 @@ static size_t cells_of(const scene *s, size_t row) {
     return n;
 }
 
-static void show_species(interp *in, const scene *s) {
+static void show_species(interp *in, const scene *s, info_put put) {
     for (size_t i = 0; i < s->species.count; i++) {
         const species *sp = &s->species.list[i];
-        interp_print(in, "species     %s: %s, %zu cells, growth %s, division %s", sp->name,
-                     sp->shape == SHAPE_ROD ? "rod" : "coccus", cells_of(s, i),
-                     sp->growth.style < 0 ? "off" : growth_styles[sp->growth.style].name,
-                     sp->division.style < 0 ? "off" : division_styles[sp->division.style]->name);
+        put(in, "species     %s: %s, %zu cells, growth %s, division %s", sp->name,
+            sp->shape == SHAPE_ROD ? "rod" : "coccus", cells_of(s, i),
+            sp->growth.style < 0 ? "off" : growth_styles[sp->growth.style].name,
+            sp->division.style < 0 ? "off" : division_styles[sp->division.style]->name);
     }
 }
 
@@ -65,7 +65,7 @@ static bool is_active(const scene *s, int term) {
     return false;
 }
 
-static void show_forces(interp *in, const scene *s) {
+static void show_forces(interp *in, const scene *s, info_put put) {
     char idle[256] = "";
     for (int i = 0; i < FORCE_COUNT; i++) {
         const force_style *style = force_styles[i];
@@ -76,9 +76,9 @@ static void show_forces(interp *in, const scene *s) {
         }
         char parameters[256];
         write_parameters(style, s->forces.term[i].p, parameters, sizeof parameters);
-        interp_print(in, "force       %s%s", style->name, parameters);
+        put(in, "force       %s%s", style->name, parameters);
     }
-    interp_print(in, "not active %s", idle[0] ? idle : " none");
+    put(in, "not active %s", idle[0] ? idle : " none");
 }
 
 /* Field by field: padding between them need not agree. */
@@ -88,44 +88,45 @@ static bool is_preset(const relax_settings *r, const accuracy_preset *preset) {
            r->segment == p->segment && r->most == p->most;
 }
 
-static void show_relaxation(interp *in, const scene *s) {
+static void show_relaxation(interp *in, const scene *s, info_put put) {
     const relax_settings *r = &s->relax;
     bool preset = is_preset(r, &accuracy_presets[s->accuracy]);
-    interp_print(in, "relaxation  %s%s%s", integrator_styles[r->integrator]->name, preset ? ", accuracy " : "",
-                 preset ? accuracy_presets[s->accuracy].name : "");
+    put(in, "relaxation  %s%s%s", integrator_styles[r->integrator]->name, preset ? ", accuracy " : "",
+        preset ? accuracy_presets[s->accuracy].name : "");
     mechanics_stats m = mechanics_statistics(s->mechanics);
-    interp_print(in, "neighbours  %zu entries, skin %.3g um, method %s, kernel %s", m.pairs, m.skin,
-                 s->neighbor.method == NEIGHBOR_CELLS ? "cells" : "pairs", m.kernel ? m.kernel : "none");
-    interp_print(in, "memory      %.3g MB of state, %.3g MB of mechanics", 1e-6 * (double)colony_bytes(s->colony),
-                 1e-6 * (double)m.bytes);
+    put(in, "neighbours  %zu entries, skin %.3g um, method %s, kernel %s", m.pairs, m.skin,
+        s->neighbor.method == NEIGHBOR_CELLS ? "cells" : "pairs", m.kernel ? m.kernel : "none");
+    put(in, "memory      %.3g MB of state, %.3g MB of mechanics", 1e-6 * (double)colony_bytes(s->colony),
+        1e-6 * (double)m.bytes);
 }
 
-static void show_scene(interp *in) {
+void info_show_scene(interp *in, info_put put) {
     scene *s = interp_scene(in);
     diag problem = {0};
     int status = scene_prepare(s, &problem);
-    interp_print(in, "scene       %zu cells of %zu particles, %zu links, step %" PRIu64 ", time %g s, relaxed %g s",
-                 s->colony->cell.count, s->colony->particle.count, s->colony->link.count, s->step, s->time, s->relaxed);
-    show_species(in, s);
-    show_forces(in, s);
-    show_relaxation(in, s);
-    interp_print(in, "seed        %" PRIu64 ", %d thread%s", rng_get_seed(s->rng), s->threads,
-                 s->threads == 1 ? "" : "s");
+    put(in, "scene       %zu cells of %zu particles, %zu links, step %" PRIu64 ", time %g s, relaxed %g s",
+        s->colony->cell.count, s->colony->particle.count, s->colony->link.count, s->step, s->time, s->relaxed);
+    show_species(in, s, put);
+    show_forces(in, s, put);
+    show_relaxation(in, s, put);
+    put(in, "seed        %" PRIu64 ", %d thread%s", rng_get_seed(s->rng), s->threads, s->threads == 1 ? "" : "s");
     if (status)
-        interp_print(in, "cannot run  %s", problem.message);
+        put(in, "cannot run  %s", problem.message);
 }
 
 static void show_timing(interp *in) {
     const scene *s = interp_scene(in);
     const scene_timing *t = &s->timing;
-    mechanics_stats m = mechanics_statistics(s->mechanics);
-    double relax_rest = t->relax - m.force_seconds - m.build_seconds;
+    const scene_tally *n = &s->tally;
     const struct {
         const char *stage;
         double seconds;
-    } rows[] = {{"grow", t->grow},           {"divide", t->divide},
-                {"forces", m.force_seconds}, {"neighbours", m.build_seconds},
-                {"integrate", relax_rest},   {"output", t->output}};
+    } rows[] = {{"grow", t->grow},
+                {"divide", t->divide},
+                {"forces", t->force},
+                {"neighbours", t->build},
+                {"integrate", t->relax - t->force - t->build},
+                {"output", t->output}};
     double sum = 0;
     for (size_t i = 0; i < TABLE_COUNT(rows); i++)
         sum += rows[i].seconds;
@@ -133,15 +134,15 @@ static void show_timing(interp *in) {
     for (size_t i = 0; i < TABLE_COUNT(rows); i++)
         interp_print(in, "%-12s %10.4f %6.1f", rows[i].stage, rows[i].seconds,
                      sum > 0 ? 100 * rows[i].seconds / sum : 0);
-    interp_print(in, "%" PRIu64 " force evaluations, %" PRIu64 " neighbour lists", m.evaluations, m.builds);
-    if (m.cell_evaluations)
-        interp_print(in, "%.1f ns a cell and force evaluation", 1e9 * m.force_seconds / (double)m.cell_evaluations);
+    interp_print(in, "%" PRIu64 " force evaluations, %" PRIu64 " neighbour lists", n->evaluations, n->builds);
+    if (n->cell_evaluations)
+        interp_print(in, "%.1f ns a cell and force evaluation", 1e9 * t->force / (double)n->cell_evaluations);
 }
 
 static int run_info(interp *in, const args *a, diag *d) {
     const char *topic = args_text(a, "TOPIC");
     if (!topic || strcmp(topic, "scene") == 0) {
-        show_scene(in);
+        info_show_scene(in, interp_print);
         return SARCINA_OK;
     }
     if (strcmp(topic, "timing") == 0) {

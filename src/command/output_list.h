@@ -46,8 +46,8 @@ struct outputs {
     size_t ndumps, dump_capacity;
     output_analysis *analyses;
     size_t nanalyses, analysis_capacity;
-    bool headed;  /* the header of the present columns has been printed */
-    bool has_row; /* the row of step `row_step` has been printed below it */
+    bool headed;               /* the header of the present columns is on the screen */
+    bool has_row, has_log_row; /* the row of step `row_step` is below the header on the screen, in the log */
     uint64_t row_step;
     double before; /* growth time at the step before this one, s */
     /* files that the restart we go on from was writing: they go on too */
@@ -73,10 +73,11 @@ void output_list_drop_analysis(outputs *o, size_t i);
 
 void output_list_release_columns(output_column *columns, size_t n);
 
-/* thermo.c: the columns of `thermo_style one`; units of the screen, before a run; the row of the present step. */
+/* thermo.c: the columns of `thermo_style one`; the heading, into the log and where asked on the screen; the row of the
+ * present step, to either. */
 void output_list_default_thermo(outputs *o);
-void output_list_prepare_thermo(outputs *o);
-int output_list_print_row(outputs *o, diag *d);
+void output_list_print_header(outputs *o, bool screen);
+int output_list_print_row(outputs *o, bool screen, bool log, diag *d);
 
 /* dump.c: opens, and writes the present step unless it has been written. */
 int output_list_open_dump(output_dump *p, diag *d);

@@ -156,13 +156,15 @@ static int open_all(outputs *o, diag *d) {
     return status;
 }
 
+/* The row of the present step, once below each heading. */
 static int print_row(outputs *o, diag *d) {
     uint64_t step = interp_scene(o->in)->step;
-    if (o->has_row && o->row_step == step)
+    bool screen = !o->has_row || o->row_step != step, log = !o->has_log_row || o->row_step != step;
+    if (!screen && !log)
         return SARCINA_OK;
-    o->has_row = true;
+    o->has_row = o->has_log_row = true;
     o->row_step = step;
-    return output_list_print_row(o, d);
+    return output_list_print_row(o, screen, log, d);
 }
 
 /* Whatever is due at the present step. */
@@ -182,22 +184,18 @@ static int write_due(outputs *o, bool begins, bool row, diag *d) {
     return status;
 }
 
-static void print_line(void *self, const char *line) {
-    interp_print(self, "%s", line);
+int outputs_open(outputs *o, diag *d) {
+    return open_all(o, d);
 }
 
 int outputs_begin(outputs *o, diag *d) {
-    int status = open_all(o, d);
-    if (status)
-        return status;
     o->before = interp_scene(o->in)->time;
-    /* runs of a loop go on with one table */
-    if (!o->headed || !interp_in_loop(o->in)) {
-        output_list_prepare_thermo(o);
-        thermo_header(o->table, print_line, o->in);
-        o->headed = true;
-        o->has_row = false;
-    }
+    /* runs of a loop go on with one table on the screen */
+    bool anew = !o->headed || !interp_in_loop(o->in);
+    output_list_print_header(o, anew);
+    o->headed = true;
+    o->has_row = o->has_row && !anew;
+    o->has_log_row = false;
     return write_due(o, true, true, d);
 }
 

@@ -11,8 +11,10 @@ typedef struct outputs outputs;
 outputs *outputs_create(interp *in);
 void outputs_free(outputs *o);
 
-/* Before the first cycle of a run: opens what is to be written, so that a file that cannot be is found out now; prints
- * the thermo header and the row of the present step, and writes what is due at it. */
+/* Before the first cycle of a run: opens what is to be written, so that a file that cannot be is found out now. */
+int outputs_open(outputs *o, diag *d);
+
+/* Then prints the thermo header and the row of the present step, and writes what is due at it. */
 int outputs_begin(outputs *o, diag *d);
 
 /* After each cycle; last: the run ends here, whose row is always printed. Judges first_time analyses, prints thermo

@@ -38,8 +38,14 @@ static const command_form forms[] = {
      0},
     {"echo WHERE:{none|screen|log|both}", echo_params, TABLE_COUNT(echo_params), "Shows commands as they run",
      "Default: log.", "echo both", 0, run_echo, NULL, 0},
-    {"log FILE:fileoff", log_params, TABLE_COUNT(log_params), "Chooses the log file", NULL, "log run.log append", 0,
-     run_log, NULL, 0},
+    {"log FILE:fileoff", log_params, TABLE_COUNT(log_params), "Chooses the log file",
+     "Without it and without -log, log.sarcina is written in the working folder once cells begin to move, and an "
+     "earlier "
+     "log.sarcina becomes log.sarcina.1 (or .2 ...). The log has commands as they run, everything printed, errors, and "
+     "the sections of LAMMPS's: programs that read those find a table between 'Per MPI rank memory allocation' and "
+     "'Loop "
+     "time of' (a step is a cycle, an atom a cell).",
+     "log run.log append", 0, run_log, NULL, 0},
     {"shell COMMAND:rest", shell_params, TABLE_COUNT(shell_params), "Runs a command of the system",
      "Refused under -safe.", "shell mkdir out", COMMAND_UNSAFE, run_shell, NULL, 0},
 };

@@ -5,8 +5,8 @@
 #include "command/session.h"
 
 #include "base/table.h"
+#include "output/progress.h"
 
-#include <inttypes.h>
 #include <math.h>
 
 /* What one run is made of. */
@@ -65,19 +65,22 @@ static int is_done(interp *in, const plan *p, bool *done, diag *d) {
 /* The commands of `every` that are due at this step. */
 static int run_every(interp *in, const plan *p, double before, diag *d) {
     const scene *s = interp_scene(in);
-    for (size_t i = 0; i < args_every_count(p->a, "every"); i++) {
+    int status = SARCINA_OK;
+    /* the run has been echoed: lines of its commands would stand between the table's rows */
+    echo_mode echo = interp_set_echo(in, ECHO_NONE);
+    for (size_t i = 0; i < args_every_count(p->a, "every") && !status; i++) {
         command_text *const *commands;
         size_t n;
         args_cycles_value every = args_every(p->a, "every", i, &commands, &n);
         if (!outputs_due(every, s->step, before, s->time))
             continue;
-        for (size_t k = 0; k < n; k++) {
-            int status = interp_run_text(in, commands[k], d);
-            if (status)
-                return status;
-        }
+        for (size_t k = 0; k < n && !status; k++)
+            status = interp_run_text(in, commands[k], d);
     }
-    return SARCINA_OK;
+    echo_mode now = interp_set_echo(in, echo);
+    if (now != ECHO_NONE) /* one of them said otherwise */
+        interp_set_echo(in, now);
+    return status;
 }
 
 static int write_checkpoint(interp *in, double before, diag *d) {
@@ -116,26 +119,53 @@ static int run_cycle(interp *in, const plan *p, bool last, bool *done, diag *d) 
     return status;
 }
 
-static void report(interp *in, uint64_t cycles, double seconds) {
+static double total_mass(const scene *s) {
+    double mass = 0;
+    for (size_t i = 0; i < s->colony->cell.count; i++)
+        mass += s->colony->cell.mass[i];
+    return mass;
+}
+
+/* On a terminal: how far, and how long yet. */
+static void show_progress(interp *in, const plan *p, progress *shown) {
     const scene *s = interp_scene(in);
-    interp_print(in, "Loop time of %.6g on %d thread%s for %" PRIu64 " cycles with %zu cells", seconds, s->threads,
-                 s->threads == 1 ? "" : "s", cycles, s->colony->cell.count);
+    char line[200];
+    if (!interp_has_progress(in))
+        return;
+    progress_cycle(shown, scene_clock(), total_mass(s));
+    if (!progress_is_due(shown))
+        return;
+    progress_line(shown, s->step - shown->done, s->colony->cell.count, p->until != NULL, line, sizeof line);
+    interp_progress(in, line);
+}
+
+static int run_all_cycles(interp *in, const plan *p, diag *d) {
+    const scene *s = interp_scene(in);
+    bool done = false;
+    progress shown = progress_begin(p->cycles, scene_clock(), total_mass(s));
+    int status = is_done(in, p, &done, d);
+    if (!status)
+        status = outputs_begin(session_of(in)->out, d);
+    for (uint64_t i = 0; i < p->cycles && !done && !status; i++) {
+        status = run_cycle(in, p, i + 1 == p->cycles, &done, d);
+        show_progress(in, p, &shown);
+    }
+    interp_progress(in, NULL);
+    outputs_end(session_of(in)->out);
+    return status;
 }
 
 static int run_cycles(interp *in, const plan *p, diag *d) {
     session *s = session_of(in);
     scene *sc = interp_scene(in);
-    double before = sc->timing.total;
+    int status = outputs_open(s->out, d);
+    if (status)
+        return status;
+    run_report_begin(in, &s->report);
+    double before = scene_clock();
     uint64_t first = sc->step;
-    bool done = false;
-    int status = is_done(in, p, &done, d);
-    if (!status)
-        status = outputs_begin(s->out, d);
-    for (uint64_t i = 0; i < p->cycles && !done && !status; i++)
-        status = run_cycle(in, p, i + 1 == p->cycles, &done, d);
-    outputs_end(s->out);
-    if (!interp_in_loop(in)) /* whose runs go on with one table */
-        report(in, sc->step - first, sc->timing.total - before);
+    status = run_all_cycles(in, p, d);
+    run_report_end(in, &s->report, scene_clock() - before, sc->step - first);
     return status;
 }
 

@@ -30,6 +30,7 @@ char *session_file(const char *pattern, uint64_t step) {
 
 void session_clear(interp *in) {
     session *s = session_of(in);
+    run_report_end_loop(in, &s->report);
     scene_clear(interp_scene(in));
     outputs_clear(s->out);
     interp_journal_clear(in);

@@ -5,6 +5,7 @@
 #define SARCINA_COMMAND_SESSION_H
 
 #include "command/outputs.h"
+#include "command/run_report.h"
 #include "engine/archive.h"
 #include "script/command.h"
 
@@ -19,6 +20,7 @@ typedef struct session {
     interp *in;
     outputs *out;
     restart_schedule restart;
+    run_report report;
     /* of the last run, for those that leave them out; NaN: none yet */
     double grow_time;   /* s */
     double relax_time;  /* s; 0: no relaxation */

@@ -44,17 +44,33 @@ void output_list_default_thermo(outputs *o) {
 /* ---- printing ---------------------------------------------------------------------------------------------------- */
 
 /* The screen shows the units of the script's bare numbers; the file is in SI. */
-void output_list_prepare_thermo(outputs *o) {
+static void prepare_units(outputs *o) {
     for (size_t i = 0; i < thermo_count(o->table); i++)
         thermo_set_unit(o->table, i, interp_unit(o->in, thermo_column(o->table, i)->d));
 }
 
+typedef struct printer {
+    interp *in;
+    bool screen, log;
+} printer;
+
 static void print_line(void *self, const char *line) {
-    interp_print(self, "%s", line);
+    const printer *p = self;
+    if (p->screen)
+        interp_screen(p->in, "%s", line);
+    if (p->log)
+        interp_log(p->in, "%s", line);
 }
 
-int output_list_print_row(outputs *o, diag *d) {
-    return thermo_row(o->table, interp_scene(o->in)->step, print_line, o->in, d);
+void output_list_print_header(outputs *o, bool screen) {
+    printer p = {o->in, screen, true};
+    prepare_units(o);
+    thermo_header(o->table, print_line, &p);
+}
+
+int output_list_print_row(outputs *o, bool screen, bool log, diag *d) {
+    printer p = {o->in, screen, log};
+    return thermo_row(o->table, interp_scene(o->in)->step, print_line, &p, d);
 }
 
 /* ---- the commands ------------------------------------------------------------------------------------------------ */

@@ -6,6 +6,7 @@
 #include "biology/growth.h"
 #include "engine/snapshot.h"
 
+#include <math.h>
 #include <time.h>
 
 double scene_clock(void) {
@@ -41,18 +42,40 @@ int scene_grow(scene *s, double dt, diag *d) {
     return SARCINA_OK;
 }
 
+/* What the mechanics did since `from`, and what the relaxation says of itself. */
+static void note_relaxation(scene *s, const mechanics_stats *from, const relax_result *r) {
+    mechanics_stats now = mechanics_statistics(s->mechanics);
+    scene_tally *t = &s->tally;
+    s->timing.force += now.force_seconds - from->force_seconds;
+    s->timing.build += now.build_seconds - from->build_seconds;
+    t->by_time += r->stop == RELAX_TIME;
+    t->by_force += r->stop == RELAX_FORCE;
+    t->steps += r->steps;
+    t->rejected += r->rejected;
+    t->evaluations += now.evaluations - from->evaluations;
+    t->cell_evaluations += now.cell_evaluations - from->cell_evaluations;
+    t->builds += now.builds - from->builds;
+    if (r->steps == 0)
+        return;
+    t->least_step = fmin(t->least_step, r->least_step);
+    t->largest_step = fmax(t->largest_step, r->largest_step);
+}
+
 int scene_relax(scene *s, double time, double force, relax_result *result, diag *d) {
     double t = scene_clock();
+    const mechanics_stats from = mechanics_statistics(s->mechanics);
     snapshot *before = snapshot_take(s);
     mechanics_arrange(s->colony); /* rows in the order of space: faster, the same bits */
     const relax_goal goal = {time, force, s->interrupt};
     int status = scene_prepare(s, d);
     if (status == SARCINA_OK)
         status = relax_run(s->mechanics, &s->relax, &goal, result, d);
-    if (status == SARCINA_OK)
+    if (status == SARCINA_OK) {
         s->relaxed += result->time;
-    else
+        note_relaxation(s, &from, result);
+    } else {
         snapshot_restore(s, before);
+    }
     snapshot_free(before);
     clock_stage(&s->timing.relax, t);
     return status;

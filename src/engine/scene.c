@@ -5,6 +5,7 @@
 #include "base/alloc.h"
 #include "biology/division.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,6 +18,7 @@ static void set_defaults(scene *s) {
     s->relax = accuracy_presets[s->accuracy].settings;
     memset(&s->forces, 0, sizeof s->forces);
     memset(&s->timing, 0, sizeof s->timing);
+    s->tally = (scene_tally){.least_step = INFINITY};
     s->step = s->growth_steps = s->deletions = 0;
     s->time = s->relaxed = 0;
     rng_seed(s->rng, 1);

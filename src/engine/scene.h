@@ -17,10 +17,19 @@
 
 #include <signal.h>
 
-/* Seconds of wall time by stage; output is added by who writes it. */
+/* Seconds of wall time by stage; force and build are parts of relax; output is added by who writes it. */
 typedef struct scene_timing {
-    double grow, divide, relax, output, total;
+    double grow, divide, relax, force, build, output, total;
 } scene_timing;
+
+/* What the relaxations of a scene took. */
+typedef struct scene_tally {
+    uint64_t by_time, by_force; /* relaxations, by why they ended */
+    uint64_t steps, rejected, evaluations;
+    uint64_t cell_evaluations;       /* evaluations, each times the cells it was of */
+    uint64_t builds;                 /* of the neighbour list */
+    double least_step, largest_step; /* s; whoever wants those of a stretch sets them to infinity and 0 before it */
+} scene_tally;
 
 typedef struct scene {
     colony *colony;
@@ -44,6 +53,7 @@ typedef struct scene {
         force_set forces;
     } cached;
     scene_timing timing;
+    scene_tally tally;
     const volatile sig_atomic_t *interrupt; /* set by a signal handler; NULL */
 } scene;
 

@@ -149,16 +149,23 @@ int thermo_open(thermo *t, diag *d) {
     return stream_flush(t->file, d);
 }
 
-static int column_width(const thermo_cell *c) {
-    size_t n = strlen(c->column.name) + strlen(c->suffix);
-    return n > THERMO_WIDTH ? (int)n : THERMO_WIDTH;
-}
-
 /* LAMMPS's headings are capitalised, and programs look for a line that begins with "Step": plain words become so. */
 static void heading(const thermo_cell *c, char *out, size_t room) {
     snprintf(out, room, "%s%s", c->column.name, c->suffix);
+    char *to = out; /* without the blanks of a formula: a heading is one word, as its column is */
+    for (const char *from = out; *from; from++)
+        if (*from != ' ')
+            *to++ = *from;
+    *to = '\0';
     if (c->column.name[strspn(c->column.name, "abcdefghijklmnopqrstuvwxyz_")] == '\0')
         out[0] = (char)toupper((unsigned char)out[0]);
+}
+
+static int column_width(const thermo_cell *c) {
+    char name[THERMO_ROOM];
+    heading(c, name, sizeof name);
+    size_t n = strlen(name);
+    return n > THERMO_WIDTH ? (int)n : THERMO_WIDTH;
 }
 
 void thermo_header(const thermo *t, thermo_put *put, void *self) {

@@ -97,7 +97,8 @@ typedef struct name_class {
 void command_add_class(command_table *t, const name_class *c);
 
 /* What the command layer keeps beside each scene (also beside that of a check). Called by interp_create and
- * interp_free. */
-void command_set_client(command_table *t, void *(*create)(interp *in), void (*free_client)(void *client));
+ * interp_free; loop_end when the outermost running loop has ended, not in a check. */
+void command_set_client(command_table *t, void *(*create)(interp *in), void (*free_client)(void *client),
+                        void (*loop_end)(interp *in));
 
 #endif

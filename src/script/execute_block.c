@@ -366,6 +366,8 @@ static int run_statement(interp *in, const statement *s, diag *d) {
              : s->kind == STATEMENT_WHILE ? run_while(in, s, d)
                                           : run_repeat(in, s, d);
     execute_pop(in);
+    if (!in->check.on && !interp_in_loop(in) && in->host->commands->client_loop_end)
+        in->host->commands->client_loop_end(in);
     return status;
 }
 

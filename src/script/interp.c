@@ -97,8 +97,10 @@ void interp_set_warn(interp *in, warn_mode mode) {
     in->warn = mode;
 }
 
-void interp_set_echo(interp *in, echo_mode mode) {
+echo_mode interp_set_echo(interp *in, echo_mode mode) {
+    echo_mode before = in->echo;
     in->echo = mode;
+    return before;
 }
 
 void interp_quit(interp *in, int code) {
@@ -155,6 +157,19 @@ void interp_log(interp *in, const char *format, ...) {
     va_start(list, format);
     print_line(in, false, true, format, list);
     va_end(list);
+}
+
+bool interp_start_log(interp *in) {
+    return !in->check.on && in->host->log && (!in->host->start_log || in->host->start_log(in->host->self));
+}
+
+bool interp_has_progress(const interp *in) {
+    return in->host->progress && !in->check.on;
+}
+
+void interp_progress(interp *in, const char *line) {
+    if (interp_has_progress(in))
+        in->host->progress(in->host->self, line);
 }
 
 static void tell_warning(interp *in, const char *message) {

@@ -30,6 +30,14 @@ double interp_unit(const interp *in, dim d);
 void interp_print(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3))); /* screen and log */
 void interp_screen(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void interp_log(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Cells are about to move: a log that nobody asked for begins here. Says whether there is a log. */
+bool interp_start_log(interp *in);
+
+/* One line that the next one replaces; NULL takes it away. Where there is no terminal to show it on
+ * (interp_has_progress says so) nothing happens. */
+bool interp_has_progress(const interp *in);
+void interp_progress(interp *in, const char *line);
 void interp_warn(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3))); /* limited, counted */
 
 typedef enum { WARN_ON, WARN_OFF, WARN_ERROR } warn_mode;
@@ -91,7 +99,8 @@ int interp_include(interp *in, const char *path, diag *d);
 /* Counts an expect. A failure under -test is shown and counted, and the script goes on; else it is an error. */
 int interp_expect(interp *in, bool holds, diag *failure);
 
-void interp_set_echo(interp *in, echo_mode mode);
+/* Returns the mode before. */
+echo_mode interp_set_echo(interp *in, echo_mode mode);
 int interp_open_log(interp *in, const char *path, bool append, diag *d); /* path NULL: none */
 int interp_shell(interp *in, const char *command, diag *d);
 const char *interp_environment(interp *in, const char *name); /* NULL: not set */
@@ -106,6 +115,8 @@ typedef struct interp_host {
     void *self;
     void (*screen)(void *self, const char *text); /* text with its line ends */
     void (*log)(void *self, const char *text);
+    bool (*start_log)(void *self);                                       /* see interp_start_log */
+    void (*progress)(void *self, const char *line);                      /* see interp_progress; NULL: no terminal */
     void (*error)(void *self, const char *text);                         /* errors and warnings, laid out */
     int (*open_log)(void *self, const char *path, bool append, diag *d); /* path NULL: no log */
     int (*shell)(void *self, const char *command, diag *d);

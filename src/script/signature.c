@@ -282,9 +282,11 @@ void command_add_class(command_table *t, const name_class *c) {
     t->classes[t->nclasses++] = c;
 }
 
-void command_set_client(command_table *t, void *(*create)(interp *in), void (*free_client)(void *client)) {
+void command_set_client(command_table *t, void *(*create)(interp *in), void (*free_client)(void *client),
+                        void (*loop_end)(interp *in)) {
     t->client_create = create;
     t->client_free = free_client;
+    t->client_loop_end = loop_end;
 }
 
 /* ---- usage ---- */

@@ -79,6 +79,7 @@ struct command_table {
     size_t nclasses, class_capacity;
     void *(*client_create)(interp *in);
     void (*client_free)(void *client);
+    void (*client_loop_end)(interp *in);
 };
 
 /* Parses a form; what is wrong with it goes to d. free with signature_free. */
