@@ -20,6 +20,7 @@
     X(force)                                                                                                           \
     X(link)                                                                                                            \
     X(region)                                                                                                          \
+    X(group)                                                                                                           \
     X(create_cells)                                                                                                    \
     X(delete_cells)                                                                                                    \
     X(set)                                                                                                             \
