@@ -27,10 +27,10 @@ static const param linear_params[] = {
 
 const growth_style growth_styles[] = {
     {"exponential", "mass grows by a constant specific rate", "m(t + dt) = m(t) exp(mu dt)",
-     "Storck et al. 2014, growth", "growth ecoli exponential rate 1.23/h sd 0.277/h", exponential_params,
+     "Storck et al. 2014, growth", "growth ecoli exponential rate 1.23/h sd 0.277/h draw step", exponential_params,
      TABLE_COUNT(exponential_params), exponential},
     {"linear", "mass grows by a constant amount per time", "m(t + dt) = m(t) + r dt",
-     "Cooper 1988, J. Bacteriol. 170:5001", "growth ecoli linear rate 1e-19kg/s", linear_params,
+     "Cooper 1988, J. Bacteriol. 170:5001", "growth ecoli linear rate 1e-19kg/s draw birth", linear_params,
      TABLE_COUNT(linear_params), linear},
 };
 const size_t growth_style_count = TABLE_COUNT(growth_styles);

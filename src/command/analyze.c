@@ -279,7 +279,7 @@ static const name_class analysis_class = {"analysis",     "an analysis", false, 
 
 static const param style_params[] = {
     {"ID:+analysis", "its name, a value from here on"},
-    {"GROUP:group", "the cells: all, a species, a region, a group"},
+    {"GROUP:group", "the cells: all, a species, a region"},
     {"STYLE:analysis0", "what is measured"},
     {"every:cycles[1,)", "cycles, or a time, between rows of the file; 1"},
     {"file:file", "a CSV file for step, time, the value and its fields, in SI units"},
@@ -291,7 +291,7 @@ static const param first_params[] = {
     {"keep:value...", "values to keep at that moment"},
 };
 static const param now_params[] = {
-    {"GROUP:group", "the cells: all, a species, a region, a group"},
+    {"GROUP:group", "the cells: all, a species, a region"},
     {"STYLE:analysis0", "what is measured"},
 };
 static const param off_params[] = {{"ID:analysis", "the analysis to forget"}};
@@ -300,14 +300,17 @@ static const command_form forms[] = {
     {"analyze ID:+analysis GROUP:group STYLE:analysis0", style_params, TABLE_COUNT(style_params),
      "Names a measure of some cells, and writes it along the way",
      "Every analysis is also a value by its own name, over all cells, without this command.",
-     "analyze C all orientation", COMMAND_DECLARES, run_style, NULL, 0},
+     "analyze C ecoli orientation every 5 file C.csv\nprint \"$(C)\"", COMMAND_DECLARES, run_style, NULL, 0},
     {"analyze ID:+analysis GROUP:group first_time TEST:expr", first_params, TABLE_COUNT(first_params),
      "Notes when a test first holds, and values at that moment", NULL,
-     "analyze stacked all first_time thickness > 0.75um keep cells ellipse", COMMAND_DECLARES, run_first_time, NULL, 0},
+     "analyze stacked all first_time thickness > 0.75um keep cells ellipse\nrun 3 grow 4min relax 0.1s\nprint "
+     "\"$(stacked.time/1h) h, $(stacked.kept[1]) cells\"",
+     COMMAND_DECLARES, run_first_time, NULL, 0},
     {"analyze now GROUP:group STYLE:analysis0", now_params, TABLE_COUNT(now_params),
      "Measures some cells and prints what was found", NULL, "analyze now all thickness", COMMAND_SHADOW, run_now, NULL,
      0},
-    {"analyze ID:analysis off", off_params, 1, "Forgets an analysis", NULL, NULL, COMMAND_DECLARES, run_off, NULL, 0},
+    {"analyze ID:analysis off", off_params, 1, "Forgets an analysis", NULL, "analyze C all orientation\nanalyze C off",
+     COMMAND_DECLARES, run_off, NULL, 0},
 };
 
 void command_analyze(command_table *t) {

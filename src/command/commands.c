@@ -22,8 +22,6 @@ static void free_session(void *client) {
     outputs_free(s->out);
     free(s->restart.files[0]);
     free(s->restart.files[1]);
-    session_drop_groups(s);
-    free(s->dynamic);
     free(s);
 }
 
@@ -36,4 +34,5 @@ void commands_add(command_table *t) {
 #define COMMAND_ADD(name) command_##name(t);
     COMMAND_FILES(COMMAND_ADD)
 #undef COMMAND_ADD
+    command_pages(t);
 }

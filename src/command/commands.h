@@ -20,7 +20,6 @@
     X(force)                                                                                                           \
     X(link)                                                                                                            \
     X(region)                                                                                                          \
-    X(group)                                                                                                           \
     X(create_cells)                                                                                                    \
     X(delete_cells)                                                                                                    \
     X(set)                                                                                                             \
@@ -32,6 +31,9 @@
     X(restart)                                                                                                         \
     X(clear)                                                                                                           \
     X(info)
+
+/* What is said of each command as a whole, and the prelude of all examples: pages.c. */
+void command_pages(command_table *t);
 
 #define COMMAND_DECLARE(name) void command_##name(command_table *t);
 COMMAND_FILES(COMMAND_DECLARE)

@@ -116,12 +116,14 @@ static const param file_params[] = {
 
 static const command_form forms[] = {
     {"create_cells NAME:species single X:length Y:length Z:length", single_params, TABLE_COUNT(single_params),
-     "One cell at a place", NULL, "create_cells ecoli single 0 0 0 orient xy gap 0 mass 86.5%", 0, run_single, NULL, 0},
+     "One cell at a place", NULL, "create_cells ecoli single 5um 0 0 orient xy gap 0 mass 86.5% overlap no maxtry 10",
+     0, run_single, NULL, 0},
     {"create_cells NAME:species random N:int[1,) REGION:region", random_params, TABLE_COUNT(random_params),
      "Cells at random places in a region", "All of them or none: when there is no room the scene is as before.",
-     "create_cells ecoli random 3 box", 0, run_random, NULL, 0},
+     "create_cells ecoli random 3 box orient random mass uniform 50% 100% gap 0 overlap no maxtry 500", 0, run_random,
+     NULL, 0},
     {"create_cells NAME:species file FILE:file", file_params, TABLE_COUNT(file_params), "Cells from a CSV file", NULL,
-     "create_cells ecoli file cells.csv", 0, run_file, NULL, 0},
+     "create_cells ecoli file cells.csv orient y mass 60% gap 0 overlap yes maxtry 1", 0, run_file, NULL, 0},
 };
 
 void command_create_cells(command_table *t) {

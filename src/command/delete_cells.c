@@ -70,7 +70,7 @@ static int run_delete(interp *in, const args *a, diag *d) {
 }
 
 static const param params[] = {
-    {"GROUP:group", "of these: all, a species, a region, a group"},
+    {"GROUP:group", "of these: all, a species, a region"},
     {"where:cellexpr", "only those for which this holds"},
     {"probability=1:fraction%[0,1]", "each with this probability"},
     {"fraction=1:fraction%[0,1]", "this part of them, to the nearest whole number"},
@@ -78,7 +78,7 @@ static const param params[] = {
 
 static const command_form forms[] = {
     {"delete_cells GROUP:group", params, TABLE_COUNT(params), "Takes cells out, with their links", NULL,
-     "delete_cells cf where z > 1um probability 90%", 0, run_delete, NULL, 0},
+     "delete_cells cf where z > 1um probability 90%\ndelete_cells all fraction 50%", 0, run_delete, NULL, 0},
 };
 
 void command_delete_cells(command_table *t) {

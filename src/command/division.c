@@ -62,15 +62,11 @@ static const command_form off_form = {"division NAME:species off",
 void command_division(command_table *t) {
     for (size_t i = 0; i < division_style_count; i++) {
         const division_style *s = division_styles[i];
-        const command_form common = {.details =
-                                         "A cell divides once its mass exceeds that at division. Both halves have "
-                                         "half the mass; the daughter draws her own diameter.",
-                                     .example = s->example,
-                                     .flags = COMMAND_DECLARES,
-                                     .run = run_division,
-                                     .exists = stands};
+        const command_form common = {
+            .example = s->example, .flags = COMMAND_DECLARES, .run = run_division, .exists = stands};
         char *head = alloc_format("division NAME:species %s", s->head);
         command_add_style(t, &common, head, s->summary, s->params, s->nparams, (int)i);
+        command_cite(t, NULL, s->source);
         free(head);
     }
     command_add(t, &off_form, 1);

@@ -317,7 +317,7 @@ static const char *get_dump(interp *in, size_t i) {
 static const name_class dump_class = {"dump", "a dump", true, false, count_dumps, get_dump, NULL, NULL};
 
 #define DUMP_GROUP                                                                                                     \
-    { "GROUP:group", "the cells: all, a species, a region, a group" }
+    { "GROUP:group", "the cells: all, a species, a region" }
 #define DUMP_FILE                                                                                                      \
     { "FILE:file", "where to; * is the step" }
 #define DUMP_PLACES                                                                                                    \
@@ -348,8 +348,10 @@ static const struct {
 static void add_style(command_table *t, int i) {
     const dump_style *s = dump_styles[i];
     const char *content = contents[s->takes].content;
-    const command_form along = {.details = s->details, .flags = COMMAND_DECLARES, .run = run_dump};
-    const command_form now = {.details = s->details, .flags = COMMAND_SHADOW, .run = run_write};
+    const command_form along = {
+        .details = s->details, .example = s->example, .flags = COMMAND_DECLARES, .run = run_dump};
+    const command_form now = {
+        .details = s->details, .example = s->now_example, .flags = COMMAND_SHADOW, .run = run_write};
     char *head = alloc_format("dump ID:+dump GROUP:group %s N:cycles[1,) FILE:file%s", s->name, content);
     command_add_style(t, &along, head, s->summary, contents[s->takes].dump, contents[s->takes].ndump, i);
     free(head);
@@ -368,10 +370,16 @@ static const param modify_params[] = {
 };
 
 static const command_form forms[] = {
-    {"dump ID:dump off", off_params, 1, "Ends a dump", NULL, NULL, COMMAND_DECLARES, run_off, NULL, 0},
-    {"undump ID:dump", off_params, 1, "Ends a dump", NULL, NULL, COMMAND_DECLARES, run_off, NULL, 0},
+    {"dump ID:dump off", off_params, 1, "Ends a dump", NULL, "dump cells all csv 5 cells.csv id x y z\ndump cells off",
+     COMMAND_DECLARES, run_off, NULL, 0},
+    {"undump ID:dump", off_params, 1, "Ends a dump", NULL, "dump cells all csv 5 cells.csv id x y z\nundump cells",
+     COMMAND_DECLARES, run_off, NULL, 0},
     {"dump_modify ID:dump", modify_params, TABLE_COUNT(modify_params), "Changes a dump",
-     "All but every and pad are for pictures, as in dump image.", NULL, COMMAND_DECLARES, run_modify, NULL, 0},
+     "All but every and pad are for pictures, as in dump image.",
+     "dump film all image 5 film.*.png species\n"
+     "dump_modify film every 10 pad 4 color generation size 400 300 view side zoom 2 scalebar 5um axes yes "
+     "springs yes map magma range 0 8 background white",
+     COMMAND_DECLARES, run_modify, NULL, 0},
 };
 
 void command_dump(command_table *t) {

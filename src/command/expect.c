@@ -125,7 +125,8 @@ static const param error_params[] = {
 
 static const command_form forms[] = {
     {"expect TEST:expr", expect_params, TABLE_COUNT(expect_params), "Stops (exit 4) unless this holds",
-     "Under -test a failure is counted and the script goes on.", "expect cells == 0", 0, run_expect, NULL, 0},
+     "Under -test a failure is counted and the script goes on.",
+     "expect cells == 2\nexpect thickness approx 0.5um rel 50% abs 1nm", 0, run_expect, NULL, 0},
     {"expect_error MESSAGE:text COMMAND:command", error_params, TABLE_COUNT(error_params),
      "Stops (exit 4) unless the command fails with this error", NULL,
      "expect_error \"unknown command\" \"creat_cells\"", COMMAND_MEANT_TO_FAIL, run_expect_error, NULL, 0},

@@ -44,13 +44,11 @@ void command_force(command_table *t) {
         bool is_substratum = i == FORCE_SUBSTRATUM;
         if (!is_substratum && (!s->command || strcmp(s->command, "force") != 0))
             continue;
-        const command_form common = {.details = s->formula,
-                                     .example = s->example,
-                                     .flags = COMMAND_DECLARES,
-                                     .run = run_force,
-                                     .exists = stands};
+        const command_form common = {
+            .example = s->example, .flags = COMMAND_DECLARES, .run = run_force, .exists = stands};
         char *head = is_substratum ? alloc_copy("substratum plane") : alloc_format("force %s @off", s->name);
         command_add_style(t, &common, head, s->summary, s->params, s->nparams, i);
+        command_cite(t, s->formula, s->source);
         free(head);
     }
     command_add(t, &substratum_off, 1);

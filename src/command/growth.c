@@ -47,13 +47,11 @@ static const command_form off_form = {"growth NAME:species off",
 void command_growth(command_table *t) {
     for (size_t i = 0; i < growth_style_count; i++) {
         const growth_style *s = &growth_styles[i];
-        const command_form common = {.details = s->formula,
-                                     .example = s->example,
-                                     .flags = COMMAND_DECLARES,
-                                     .run = run_growth,
-                                     .exists = stands};
+        const command_form common = {
+            .example = s->example, .flags = COMMAND_DECLARES, .run = run_growth, .exists = stands};
         char *head = alloc_format("growth NAME:species %s", s->name);
         command_add_style(t, &common, head, s->summary, s->params, s->nparams, (int)i);
+        command_cite(t, s->formula, s->source);
         free(head);
     }
     command_add(t, &off_form, 1);

@@ -47,7 +47,10 @@ static const param params[] = {
 
 static const command_form forms[] = {
     {"print TEXT:text", params, TABLE_COUNT(params), "Prints a text",
-     "$(expr:%.3f) puts in a value: print \"$(time/1h:%.2f) h\".", "print \"$(cells) cells\"", 0, run_print, NULL, 0},
+     "$(expr:%.3f) puts in a value: print \"$(time/1h:%.2f) h\".",
+     "print \"$(cells) cells at $(time/1h:%.2f) h\"\nprint \"step,cells\" file growth.csv screen no\nprint "
+     "\"$(step),$(cells)\" append growth.csv screen no",
+     0, run_print, NULL, 0},
 };
 
 void command_print(command_table *t) {

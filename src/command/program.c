@@ -45,9 +45,9 @@ static const command_form forms[] = {
      "the sections of LAMMPS's: programs that read those find a table between 'Per MPI rank memory allocation' and "
      "'Loop "
      "time of' (a step is a cycle, an atom a cell).",
-     "log run.log append", 0, run_log, NULL, 0},
+     "log run.log\nlog run.log append\nlog off", 0, run_log, NULL, 0},
     {"shell COMMAND:rest", shell_params, TABLE_COUNT(shell_params), "Runs a command of the system",
-     "Refused under -safe.", "shell mkdir out", COMMAND_UNSAFE, run_shell, NULL, 0},
+     "Refused under -safe.", "shell mkdir -p out", COMMAND_UNSAFE, run_shell, NULL, 0},
 };
 
 void command_program(command_table *t) {

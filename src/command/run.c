@@ -21,7 +21,7 @@ typedef struct plan {
 static int read_cycle(session *s, const args *a, plan *p, diag *d) {
     bool has_grow = args_given(a, "grow"), has_relax = args_given(a, "relax");
     if (!has_grow && !has_relax) {
-        if (isnan(s->grow_time) && !interp_has_open_world(s->in)) {
+        if (isnan(s->grow_time)) {
             diag_error(d, "run needs grow or relax: nothing is remembered from a run before");
             return diag_help(d, "run 70 grow 4min relax 1s");
         }
@@ -200,7 +200,9 @@ static const command_form forms[] = {
     {"run N:cycles[0,)", params, TABLE_COUNT(params), "Grows and relaxes in cycles, with the output that is due",
      "Without grow and relax, those of the run before. A cycle happens whole or not at all: after an error or an "
      "interruption the scene is that of the last whole cycle.",
-     "run 70 grow 4min relax 1s until thickness > 0.75um", COMMAND_SHADOW, run_run, NULL, 0},
+     "run 3 grow 4min relax 0.1s until thickness > 0.75um every 1 \"print '$(cells) cells'\"\nrun 20min upto relax to "
+     "1e-15N within 1s",
+     COMMAND_SHADOW, run_run, NULL, 0},
 };
 
 void command_run(command_table *t) {

@@ -115,7 +115,7 @@ static int run_set(interp *in, const args *a, diag *d) {
 }
 
 static const param params[] = {
-    {"GROUP:group", "of these: all, a species, a region, a group"},
+    {"GROUP:group", "of these: all, a species, a region"},
     {"KEY:{x|y|z|vx|vy|vz|mass|diameter|generation}", "what is set; x, y, z move the cell's centre"},
     {"VALUE:cell", "a formula per cell, one word"},
     {"where:cellexpr", "only those for which this holds"},
@@ -123,8 +123,8 @@ static const param params[] = {
 
 static const command_form forms[] = {
     {"set GROUP:group KEY:{x|y|z|vx|vy|vz|mass|diameter|generation} VALUE:cell", params, TABLE_COUNT(params),
-     "Sets a property of cells from a formula", "Every value is computed before the first is set.", "set all z z+1um",
-     0, run_set, NULL, 0},
+     "Sets a property of cells from a formula", "Every value is computed before the first is set.",
+     "set all z z+1um\nset ecoli mass 1.1*mass where stage < 0.8", 0, run_set, NULL, 0},
 };
 
 void command_set(command_table *t) {

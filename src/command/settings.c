@@ -89,12 +89,13 @@ static const param integrator_params[] = {
 
 static const command_form forms[] = {
     {"units UNITS:{si|bio}", units_params, TABLE_COUNT(units_params), "Units of bare numbers",
-     "A number with a unit (0.75um, 4min) means the same under both. Default: si.", "units bio", COMMAND_DECLARES,
-     run_units, NULL, 0},
-    {"seed N:int[0,)", seed_params, TABLE_COUNT(seed_params), "Seed of all random numbers", "Default: 1.", "seed 7",
-     COMMAND_DECLARES, run_seed, NULL, 0},
+     "A number with a unit (0.75um, 4min) means the same under both. Default: si.",
+     "clear\nunits bio\nspecies e rod diameter 0.75", COMMAND_DECLARES, run_units, NULL, 0},
+    {"seed N:int[0,)", seed_params, TABLE_COUNT(seed_params), "Seed of all random numbers", "Default: 1.",
+     "clear\nseed 7", COMMAND_DECLARES, run_seed, NULL, 0},
     {"neighbor", neighbor_params, TABLE_COUNT(neighbor_params), "How neighbours are found",
-     "Results do not depend on it, speed does.", "neighbor skin 0.3um", COMMAND_DECLARES, run_neighbor, NULL, 0},
+     "Results do not depend on it, speed does.", "neighbor skin 0.3um method cells", COMMAND_DECLARES, run_neighbor,
+     NULL, 0},
     {"threads N:int[1,1024]", threads_params, TABLE_COUNT(threads_params), "Processor cores to compute on",
      "Pays from some thousand cells.", "threads 2", COMMAND_SHADOW, run_threads, NULL, 0},
     {"warn HOW:{on|off|error}", warn_params, TABLE_COUNT(warn_params), "What happens to warnings", NULL, "warn on",
@@ -129,7 +130,7 @@ void command_settings(command_table *t) {
     free(head);
     const command_form integrator = {.details =
                                          "For those who want more than 'accuracy' offers; the last of both counts.",
-                                     .example = "integrator verlet step 1ms",
+                                     .example = "integrator verlet step 1ms\nintegrator dopri5 tol 1e-3",
                                      .flags = COMMAND_DECLARES,
                                      .run = run_integrator};
     const char *names[INTEGRATOR_COUNT];

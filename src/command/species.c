@@ -109,8 +109,8 @@ void command_species(command_table *t) {
         .run = run_species,
         .exists = stands};
     command_form coccus = common, rod = common;
-    coccus.example = "species cf coccus density 1010kg/m3";
-    rod.example = "species ecoli rod diameter 0.75um sd 5%";
+    coccus.example = "species cc coccus density 1010kg/m3 color orange";
+    rod.example = "species long rod diameter 0.75um sd 5% density 1010kg/m3 color blue\nspecies slim rod aspect 4";
     command_add_style(t, &coccus, "species NAME:+species coccus",
                       "A species of spheres, whose diameter follows their mass", coccus_params,
                       TABLE_COUNT(coccus_params), SHAPE_COCCUS);

@@ -167,7 +167,8 @@ static const command_form forms[] = {
     {"thermo_modify", modify_params, TABLE_COUNT(modify_params), "Changes how the table is written",
      "The file has a header of names, numbers that read back to the bit, and nan where a value is undefined. A step is "
      "written to it once; going on from a restart file it loses the rows after that step.",
-     "thermo_modify format thickness %.3g", COMMAND_DECLARES, run_modify, NULL, 0},
+     "thermo_style custom step time cells thickness\nthermo_modify file growth.csv format thickness %.3g units yes",
+     COMMAND_DECLARES, run_modify, NULL, 0},
 };
 
 void command_thermo(command_table *t) {

@@ -32,7 +32,8 @@ typedef enum {
 
 typedef struct dump_style {
     const char *name, *summary;
-    const char *details; /* what the file holds, by whom it is read; for help */
+    const char *details;               /* what the file holds, by whom it is read; for help */
+    const char *example, *now_example; /* script lines, for dump and write_dump */
     dump_takes takes;
     const param *params; /* keywords */
     size_t nparams;

@@ -78,6 +78,30 @@ void command_add(command_table *t, const command_form *forms, size_t n);
 void command_add_style(command_table *t, const command_form *common, const char *head, const char *summary,
                        const param *params, size_t nparams, int style);
 
+/* Adds to the form added last what a row of a style table says beside its summary: the law, and where it comes from
+ * (NULL: nothing). */
+void command_cite(command_table *t, const char *formula, const char *source);
+
+/* Adds to the form added last what one of its choices ({a|b|c}) means. */
+void command_add_choice(command_table *t, const char *choice, const char *summary);
+
+/* What is said of a command whatever its form: one record a command. */
+typedef struct command_page {
+    const char *name;
+    const char *topic;   /* "Model": the heading it stands under where all commands are listed */
+    const char *summary; /* one line, no full stop */
+    const char *details; /* paragraphs parted by an empty line; NULL */
+    const char *see;     /* "dump_modify write_dump": related commands; NULL */
+} command_page;
+
+/* What the examples of forms run after, each in a scene of its own: a script, and files that stand in the folder. */
+typedef struct command_file {
+    const char *name, *text;
+} command_file;
+
+void command_add_pages(command_table *t, const command_page *pages, size_t n);
+void command_set_prelude(command_table *t, const char *script, const command_file *files, size_t nfiles);
+
 /* Names of one kind: species, regions, groups, analyses, dumps ... Looked up by the kinds of arguments, by
  * expressions, by "did you mean" and by the check for clashes. Rows are those of the owner's table. */
 typedef struct name_class {

@@ -198,6 +198,9 @@ void signature_free(signature *s) {
         slot_free(&s->head[i]);
     for (size_t i = 0; i < s->nkey; i++)
         slot_free(&s->key[i]);
+    for (size_t i = 0; i < s->nchoices; i++)
+        free(s->choices[i].choice);
+    free(s->choices);
     free(s->head);
     free(s->key);
     free(s->head_text);
@@ -275,6 +278,64 @@ void command_add_style(command_table *t, const command_form *common, const char 
     form.nparams = nparams;
     form.style = style;
     command_add(t, &form, 1);
+}
+
+static signature *last_form(command_table *t) {
+    assert(t->count && "there is no form yet to add this to");
+    return &t->list[t->count - 1];
+}
+
+void command_cite(command_table *t, const char *formula, const char *source) {
+    last_form(t)->formula = formula;
+    last_form(t)->source = source;
+}
+
+void command_add_choice(command_table *t, const char *choice, const char *summary) {
+    signature *s = last_form(t);
+    s->choices = alloc_resize(s->choices, s->nchoices + 1, sizeof *s->choices);
+    s->choices[s->nchoices++] = (choice_text){alloc_copy(choice), summary};
+}
+
+const char *signature_choice(const signature *s, const char *choice) {
+    for (size_t i = 0; i < s->nchoices; i++)
+        if (strcmp(s->choices[i].choice, choice) == 0)
+            return s->choices[i].summary;
+    return NULL;
+}
+
+void command_add_pages(command_table *t, const command_page *pages, size_t n) {
+    assert(!t->pages && "the pages are added once");
+    t->pages = pages;
+    t->npages = n;
+}
+
+const command_page *signature_page(const command_table *t, const char *command) {
+    ptrdiff_t row = table_find(t->pages, t->npages, sizeof *t->pages, command);
+    return row < 0 ? NULL : &t->pages[row];
+}
+
+size_t signature_forms(const command_table *t, const char *command, const signature **list, size_t room) {
+    size_t n = 0;
+    for (size_t i = 0; i < t->count; i++)
+        if (strcmp(t->list[i].head[0].name, command) == 0 && n++ < room)
+            list[n - 1] = &t->list[i];
+    return n;
+}
+
+const char *signature_command(const command_table *t, size_t i) {
+    for (size_t row = 0; row < t->count; row++) {
+        const signature *first;
+        signature_forms(t, t->list[row].head[0].name, &first, 1);
+        if (first == &t->list[row] && i-- == 0)
+            return first->head[0].name;
+    }
+    return NULL;
+}
+
+void command_set_prelude(command_table *t, const char *script, const command_file *files, size_t nfiles) {
+    t->prelude = script;
+    t->files = files;
+    t->nfiles = nfiles;
 }
 
 void command_add_class(command_table *t, const name_class *c) {

@@ -61,10 +61,18 @@ typedef struct slot {
     const char *summary;
 } slot;
 
+typedef struct choice_text {
+    char *choice;
+    const char *summary;
+} choice_text;
+
 typedef struct signature {
     command_form form;
-    char *head_text; /* owned copy of form.head */
-    slot *head;      /* head[0] is the command's word */
+    char *head_text;              /* owned copy of form.head */
+    const char *formula, *source; /* of a style; NULL */
+    choice_text *choices;         /* what its choices mean, those that need to be told */
+    size_t nchoices;
+    slot *head; /* head[0] is the command's word */
     size_t nhead;
     slot *key;
     size_t nkey;
@@ -77,6 +85,11 @@ struct command_table {
     size_t count, capacity;
     const name_class **classes;
     size_t nclasses, class_capacity;
+    const command_page *pages;
+    size_t npages;
+    const char *prelude;
+    const command_file *files; /* of the prelude */
+    size_t nfiles;
     void *(*client_create)(interp *in);
     void (*client_free)(void *client);
     void (*client_loop_end)(interp *in);
@@ -88,6 +101,18 @@ void signature_free(signature *s);
 
 /* The argument called name: in the head or a keyword; NULL. *index: its place, head first, then keywords. */
 const slot *signature_find(const signature *s, const char *name, size_t *index);
+
+/* What one of its choices means; NULL when there is nothing to say. */
+const char *signature_choice(const signature *s, const char *choice);
+
+/* The forms of one command, in the order of the table; returns how many there are (at most room are listed). */
+size_t signature_forms(const command_table *t, const char *command, const signature **list, size_t room);
+
+/* The i-th of all commands by name, in the order of the table; NULL when there are fewer. */
+const char *signature_command(const command_table *t, size_t i);
+
+/* The page of a command; NULL. */
+const command_page *signature_page(const command_table *t, const char *command);
 
 /* "species NAME rod (diameter LENGTH [sd ...] | aspect ...) [density DENSITY]"; the caller frees. */
 char *signature_usage(const signature *s);

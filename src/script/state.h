@@ -44,7 +44,6 @@ struct interp {
     size_t nsources, source_capacity;
     char **journal;
     size_t njournal, journal_capacity;
-    bool replaying; /* the journal: nothing is said */
     checking check;
     loop_request loop;
     bool quit;

@@ -363,41 +363,11 @@ static void test_records(void **state) {
     }
 }
 
-/* Every form of every command: its usage and help can be written, its example is read without an error. */
-static void test_examples(void **state) {
-    (void)state;
-    static const char setup[] = "species ecoli rod diameter 0.75um\nspecies cf coccus\nspecies ff rod diameter 1um\n"
-                                "division ecoli midpoint mass 2.45e-15kg\n"
-                                "variable h0 equal 2um\nvariable t list\nthermo_style custom step thickness\n";
-    const command_table *t = host.commands;
-    size_t examples = 0;
-    for (size_t i = 0; i < t->count; i++) {
-        const command_form *f = &t->list[i].form;
-        char *usage = signature_usage(&t->list[i]);
-        assert_true(strncmp(usage, t->list[i].head[0].name, strlen(t->list[i].head[0].name)) == 0);
-        free(usage);
-        if (!f->example || strstr(f->example, ".csv") || strstr(f->example, ".rst") || strstr(f->example, ".in"))
-            continue;
-        interp *in = interp_create(&host.host);
-        script_host_clear(&host);
-        bool off = strstr(f->example, " off") || strncmp(f->example, "undump", 6) == 0 ||
-                   strncmp(f->example, "dump_modify", 11) == 0;
-        const char *box = strncmp(f->example, "region", 6) == 0 ? "" : "region box block 0 1um 0 1um 0 1um\n";
-        char *text = alloc_format("%s%s%s\n", setup, box, f->example);
-        if (!off && interp_check_text(in, "test", text) != 0)
-            fail_msg("%s: %s", f->example, host.errors);
-        examples += !off;
-        free(text);
-        interp_free(in);
-    }
-    assert_true(examples > 30);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_values),  cmocka_unit_test(test_replaced), cmocka_unit_test(test_errors),
         cmocka_unit_test(test_depth),   cmocka_unit_test(test_check),    cmocka_unit_test(test_interp),
-        cmocka_unit_test(test_records), cmocka_unit_test(test_warnings), cmocka_unit_test(test_examples),
+        cmocka_unit_test(test_records), cmocka_unit_test(test_warnings),
     };
     return cmocka_run_group_tests_name("argument", tests, open_host, close_host);
 }

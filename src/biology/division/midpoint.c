@@ -50,7 +50,8 @@ const division_style division_midpoint = {
     .head = "midpoint",
     .summary = "a rod divides in the middle",
     .source = "Storck et al. 2014, growth and division",
-    .example = "division ecoli midpoint mass 2.45e-15kg",
+    .example = "division ecoli midpoint mass 2.45e-15kg jitter 10nm axis auto\n"
+               "division ecoli midpoint length 5um sd 10%",
     .shapes = DIVISION_RODS,
     .params = params,
     .nparams = TABLE_COUNT(params),

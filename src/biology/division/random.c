@@ -70,7 +70,8 @@ const division_style division_random = {
     .head = "random",
     .summary = "a coccus divides in a random free direction",
     .source = "Storck et al. 2014, growth and division",
-    .example = "division cf random mass 5.95e-16kg",
+    .example = "division cf random mass 6e-16kg sd 5% jitter 10nm axis auto tries 100\n"
+               "division cf random diameter 1um",
     .shapes = DIVISION_COCCI,
     .params = params,
     .nparams = TABLE_COUNT(params),

@@ -194,7 +194,7 @@ const force_style force_collision = {
     .summary = "repulsion between cells that overlap",
     .formula = "F = k d between the nearest points of two axes, d = reach (r_A + r_B) - distance > 0; E = k/2 d^2",
     .source = "Storck et al. 2014, cell-cell collision",
-    .example = "force collision k 1e-10N/m reach 1.01 contact regularised",
+    .example = "force collision k 1e-10N/m reach 1.01 contact regularised epsilon 0.01",
     .params = params,
     .nparams = sizeof params / sizeof params[0],
     .caps = FORCE_CONSERVATIVE | FORCE_BALANCED | FORCE_CENTRAL | FORCE_NEEDS_PAIRS,

@@ -108,7 +108,7 @@ const force_style force_dlvo = {
     .summary = "attraction and repulsion between cells and substratum across the gap",
     .formula = "F_z = C_ES kappa exp(-kappa d) - C_vdW/d^2 per particle, d = max(h - r, clamp/kappa)",
     .source = "Storck et al. 2014, DLVO",
-    .example = "force dlvo ces 1e-22N.m cvdw 1e-31N.m2 kappa 5e7/m",
+    .example = "force dlvo ces 1e-22N.m cvdw 1e-31N.m2 kappa 5e7/m clamp 6",
     .params = params,
     .nparams = sizeof params / sizeof params[0],
     .caps = FORCE_CONSERVATIVE,

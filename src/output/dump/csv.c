@@ -50,6 +50,8 @@ const dump_style dump_csv = {
     .summary = "a table of the cells, comma-separated, in SI units",
     .details = "The header names the columns; one row a cell, in the order of ids; undefined values are nan. Without * "
                "in FILE all steps go to one file and the first column is the step.",
+    .example = "dump cells all csv 5 cells.*.csv id species x y z length",
+    .now_example = "write_dump all csv now.csv id x y z -z length/1um",
     .takes = DUMP_COLUMNS,
     .many = true,
     .write = write,

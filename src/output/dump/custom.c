@@ -69,6 +69,8 @@ const dump_style dump_custom = {
     .details = "One line a cell, in the order of ids, SI units. With the columns quati quatj quatk quatw shapex shapey "
                "shapez OVITO draws spherocylinders (particles: shape Spherocylinder). `species` is headed `element`. "
                "Without * in FILE all steps go to one file.",
+    .example = "dump ovito all custom 5 colony.dump id species x y z quati quatj quatk quatw shapex shapey shapez",
+    .now_example = "write_dump all custom now.dump id species x y z",
     .takes = DUMP_COLUMNS,
     .many = true,
     .write = write,

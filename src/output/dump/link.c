@@ -118,6 +118,8 @@ const dump_style dump_link = {
                "are counted from 0 within their cell; cell_b 0 is the substratum. With a dump of the cells' id species "
                "mass diameter x y z ux uy uz length it is enough to build the scene again. Without * in FILE all steps "
                "go to one file and the first column is the step.",
+    .example = "dump springs all link 5 springs.csv",
+    .now_example = "write_dump all link springs.csv",
     .takes = DUMP_NOTHING,
     .many = true,
     .write = write,

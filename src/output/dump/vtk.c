@@ -173,6 +173,8 @@ const dump_style dump_vtk = {
     .summary = "VTK PolyData (.vtp), which ParaView reads: rods as lines, cocci as vertices",
     .details = "SI units. Points are particles with their radius; cells carry their radius and the named columns. In "
                "ParaView: Extract Surface and Tube, radius by the array `radius`, for rods; Glyph for cocci.",
+    .example = "dump cells all vtk 5 colony.*.vtp generation overlap",
+    .now_example = "write_dump all vtk colony.vtp species",
     .takes = DUMP_ANY_COLUMNS,
     .many = false,
     .write = write,
