@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The program: sarcina [OPTION...] [FILE]. */
+#include "app/ensemble.h"
 #include "app/options.h"
 #include "app/program.h"
 #include "app/repl.h"
 #include "app/test_run.h"
 #include "base/alloc.h"
+#include "command/results.h"
 #include "script/interp.h"
 
 #include <stdio.h>
@@ -53,6 +55,14 @@ static int run_pipe(interp *in, const options *o) {
     return status;
 }
 
+static int leave_scalars(interp *in) {
+    diag d = {0};
+    int status = results_scalars(in, &d);
+    if (status)
+        program_complain(&d);
+    return status;
+}
+
 static int run_all(interp *in, const options *o) {
     bool nothing = !o->file && !o->ncommands, terminal = isatty(STDIN_FILENO);
     int status = SARCINA_OK, code = 0;
@@ -60,6 +70,8 @@ static int run_all(interp *in, const options *o) {
         status = run(in, o, NULL, o->file);
     if (!status)
         status = run_commands(in, o);
+    if (!status)
+        status = leave_scalars(in);
     if (nothing && !terminal && !o->interactive)
         status = run_pipe(in, o);
     if ((nothing && terminal) || o->interactive)
@@ -78,6 +90,8 @@ static int run_program(const options *o) {
     program_catch_interrupts(&p);
     if (o->test) {
         status = test_run_all(&p, o);
+    } else if ((o->replicates || o->nsweeps) && !o->check) {
+        status = ensemble_main(&p, o);
     } else {
         interp *in = program_interp(&p, o, &d);
         status = in ? run_all(in, o) : (int)d.status;

@@ -54,12 +54,33 @@ static int take_echo(options *o, char **words, diag *d) {
     return SARCINA_OK;
 }
 
-static int take_threads(options *o, char **words, diag *d) {
+static int read_count(const char *name, const char *word, int *out, diag *d) {
     char *end;
-    long n = strtol(words[0], &end, 10);
+    long n = strtol(word, &end, 10);
     if (*end || n < 1 || n > 1024)
-        return diag_fail(d, SARCINA_USAGE, "-threads takes a number from 1 to 1024, not '%s'", words[0]);
-    o->threads = (int)n;
+        return diag_fail(d, SARCINA_USAGE, "-%s takes a number from 1 to 1024, not '%s'", name, word);
+    *out = (int)n;
+    return SARCINA_OK;
+}
+
+static int take_threads(options *o, char **words, diag *d) {
+    return read_count("threads", words[0], &o->threads, d);
+}
+
+static int take_workers(options *o, char **words, diag *d) {
+    return read_count("workers", words[0], &o->workers, d);
+}
+
+static int take_replicates(options *o, char **words, diag *d) {
+    (void)d;
+    o->replicates = words[0];
+    return SARCINA_OK;
+}
+
+static int take_sweep(options *o, char **words, diag *d) {
+    (void)d;
+    o->sweeps = alloc_resize(o->sweeps, o->nsweeps + 1, sizeof *o->sweeps);
+    o->sweeps[o->nsweeps++] = (option_pair){words[0], words[1]};
     return SARCINA_OK;
 }
 
@@ -75,12 +96,19 @@ SWITCH(interactive)
 SWITCH(safe)
 SWITCH(version)
 SWITCH(help)
+SWITCH(results)
 
 static const option table[] = {
-    {"in", 1, take_in},         {"var", 2, take_var},         {"e", 1, take_command},   {"log", 1, take_log},
-    {"screen", 1, take_screen}, {"echo", 1, take_echo},       {"check", 0, take_check}, {"test", 0, take_test},
-    {"i", 0, take_interactive}, {"threads", 1, take_threads}, {"safe", 0, take_safe},   {"version", 0, take_version},
-    {"help", 0, take_help},     {"h", 0, take_help},          {"v", 2, take_var},
+    {"in", 1, take_in},           {"var", 2, take_var},
+    {"e", 1, take_command},       {"log", 1, take_log},
+    {"screen", 1, take_screen},   {"echo", 1, take_echo},
+    {"check", 0, take_check},     {"test", 0, take_test},
+    {"i", 0, take_interactive},   {"threads", 1, take_threads},
+    {"safe", 0, take_safe},       {"version", 0, take_version},
+    {"help", 0, take_help},       {"h", 0, take_help},
+    {"v", 2, take_var},           {"replicates", 1, take_replicates},
+    {"sweep", 2, take_sweep},     {"workers", 1, take_workers},
+    {"results", 0, take_results},
 };
 
 const char *options_help(void) {
@@ -97,6 +125,12 @@ const char *options_help(void) {
            "  -screen FILE|none  print to this file, or nowhere\n"
            "  -echo MODE         none, screen, log or both: where commands are shown as they run\n"
            "  -threads N         processor cores to compute on\n"
+           "  -replicates N|A..B run FILE with the variable seed = 1 to N, each in a folder below NAME.runs, and "
+           "merge\n"
+           "                     their tables: NAME.ensemble.csv, NAME.scalars.csv, NAME.summary.csv\n"
+           "  -sweep NAME A,B,.. run FILE with each of these texts of a variable; crosses with -replicates and -sweep\n"
+           "  -workers N         runs of an ensemble at a time; else as many as cores, or the ranks of mpirun\n"
+           "  -results           leave results.csv and scalars.csv, as each run of an ensemble does\n"
            "  -safe              refuse commands that reach outside, such as shell\n"
            "  -version, -help\n"
            "--NAME is the same as -NAME. Exit: 0 done, 1 error in the script, 2 wrong command line, 3 numerical\n"
@@ -147,4 +181,5 @@ void options_free(options *o) {
     free(o->texts);
     free(o->commands);
     free(o->tests);
+    free(o->sweeps);
 }

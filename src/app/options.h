@@ -8,6 +8,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+typedef struct option_pair {
+    const char *name, *text;
+} option_pair;
+
 typedef struct options {
     int argc; /* the words themselves */
     char *const *argv;
@@ -19,10 +23,15 @@ typedef struct options {
     size_t ncommands;
     const char **tests; /* behind -test */
     size_t ntests;
-    const char *log;    /* a file; "none"; NULL: log.sarcina (logfile.h) */
-    const char *screen; /* NULL: standard output; "none"; a file */
-    const char *echo;   /* NULL: as the language has it */
-    int threads;        /* 0: not given */
+    const char *log;        /* a file; "none"; NULL: log.sarcina (logfile.h) */
+    const char *screen;     /* NULL: standard output; "none"; a file */
+    const char *echo;       /* NULL: as the language has it */
+    const char *replicates; /* NULL: no ensemble of seeds */
+    option_pair *sweeps;    /* a variable, and its values parted by commas */
+    size_t nsweeps;
+    int workers;  /* runs of an ensemble at a time; 0: as many as cores */
+    int threads;  /* 0: not given */
+    bool results; /* leave results.csv and scalars.csv: this is a run of an ensemble */
     bool check, test, interactive, safe, version, help;
 } options;
 

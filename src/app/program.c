@@ -171,7 +171,8 @@ int program_create(program *p, const options *o, diag *d) {
                             .interrupt = &interrupted,
                             .library = p->library,
                             .safe = o->safe,
-                            .test = o->test};
+                            .test = o->test,
+                            .results = o->results};
     return SARCINA_OK;
 }
 

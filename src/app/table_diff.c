@@ -2,50 +2,11 @@
 #include "app/table_diff.h"
 
 #include "base/alloc.h"
+#include "base/csv.h"
 
-#include <errno.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { COLUMNS_MAX = 256 };
-
-typedef struct table {
-    FILE *file;
-    const char *path;
-    char *line;
-    size_t room;
-    char *fields[COLUMNS_MAX];
-    size_t n;
-} table;
-
-static int table_open(table *t, const char *path, diag *d) {
-    *t = (table){.path = path, .file = fopen(path, "r")};
-    return t->file ? SARCINA_OK : diag_error(d, "no table '%s': %s", path, strerror(errno));
-}
-
-static void table_close(table *t) {
-    if (t->file)
-        fclose(t->file);
-    free(t->line);
-}
-
-/* The next row that is no comment, split at commas; false at the end. */
-static bool read_row(table *t) {
-    ssize_t length;
-    do
-        length = getline(&t->line, &t->room, t->file);
-    while (length > 0 && (*t->line == '#' || *t->line == '\n'));
-    if (length <= 0)
-        return false;
-    t->line[strcspn(t->line, "\r\n")] = '\0';
-    char *rest = t->line;
-    t->n = 0;
-    while (rest && t->n < COLUMNS_MAX)
-        t->fields[t->n++] = strsep(&rest, ",");
-    return true;
-}
 
 static const table_tolerance *tolerance_of(const char *column, const table_tolerance *list, size_t n) {
     for (size_t i = 1; i < n; i++)
@@ -64,7 +25,7 @@ static bool is_near(const char *got, const char *wanted, const table_tolerance *
     return fabs(x - y) <= fmax(t->abs, t->rel * fabs(y));
 }
 
-static int compare_headers(const table *got, const table *wanted, diag *d) {
+static int compare_headers(const csv *got, const csv *wanted, diag *d) {
     for (size_t i = 0; i < got->n || i < wanted->n; i++) {
         const char *a = i < got->n ? got->fields[i] : "nothing", *b = i < wanted->n ? wanted->fields[i] : "nothing";
         if (strcmp(a, b) != 0)
@@ -73,10 +34,10 @@ static int compare_headers(const table *got, const table *wanted, diag *d) {
     return SARCINA_OK;
 }
 
-static int compare_rows(table *got, table *wanted, char *const *columns, size_t ncolumns, const table_tolerance *list,
+static int compare_rows(csv *got, csv *wanted, char *const *columns, size_t ncolumns, const table_tolerance *list,
                         size_t n, diag *d) {
     for (size_t row = 1;; row++) {
-        bool more = read_row(got), due = read_row(wanted);
+        bool more = csv_next(got), due = csv_next(wanted);
         if (!more && !due)
             return SARCINA_OK;
         if (more != due || got->n != ncolumns || wanted->n != ncolumns)
@@ -91,29 +52,30 @@ static int compare_rows(table *got, table *wanted, char *const *columns, size_t 
     }
 }
 
-static int compare(table *got, table *wanted, const table_tolerance *tolerances, size_t n, diag *d) {
-    if (!read_row(got) || !read_row(wanted))
+static int compare(csv *got, csv *wanted, const table_tolerance *tolerances, size_t n, diag *d) {
+    if (!csv_next(got) || !csv_next(wanted))
         return diag_fail(d, SARCINA_EXPECT, "%s: the table or its reference is empty", got->path);
     int status = compare_headers(got, wanted, d);
-    char *columns[COLUMNS_MAX];
     size_t count = wanted->n;
+    char **columns = alloc_zeroed(count, sizeof *columns);
     for (size_t i = 0; i < count; i++)
         columns[i] = alloc_copy(wanted->fields[i]);
     if (!status)
         status = compare_rows(got, wanted, columns, count, tolerances, n, d);
     for (size_t i = 0; i < count; i++)
         free(columns[i]);
+    free(columns);
     return status;
 }
 
 int table_diff(const char *path, const char *reference, const table_tolerance *tolerances, size_t n, diag *d) {
-    table got, wanted = {0};
-    int status = table_open(&got, path, d);
+    csv got = {0}, wanted = {0};
+    int status = csv_open(&got, path, d);
     if (!status)
-        status = table_open(&wanted, reference, d);
+        status = csv_open(&wanted, reference, d);
     if (!status)
         status = compare(&got, &wanted, tolerances, n, d);
-    table_close(&got);
-    table_close(&wanted);
+    csv_close(&got);
+    csv_close(&wanted);
     return status;
 }

@@ -41,6 +41,7 @@ typedef struct output_analysis {
 struct outputs {
     interp *in;
     thermo *table;
+    stream *results;                /* results.csv of a run of an ensemble; NULL: not begun */
     args_cycles_value thermo_every; /* 0 cycles: first and last row only */
     output_dump *dumps;
     size_t ndumps, dump_capacity;

@@ -74,6 +74,9 @@ void outputs_clear(outputs *o) {
     thermo_free(o->table);
     o->table = thermo_create();
     output_list_default_thermo(o);
+    stream_free(o->results);
+    o->results = NULL; /* of the scene that comes now */
+    o->resumed_step = 0;
     o->thermo_every = (args_cycles_value){0};
     o->headed = o->has_row = false;
     forget_resumed(o);

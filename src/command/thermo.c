@@ -2,6 +2,7 @@
 /* thermo N | thermo_style one | thermo_style custom COLUMN... | thermo_modify: the table a run prints. */
 #include "command/commands.h"
 #include "command/output_list.h"
+#include "command/results.h"
 
 #include "base/alloc.h"
 #include "base/path.h"
@@ -70,7 +71,8 @@ void output_list_print_header(outputs *o, bool screen) {
 
 int output_list_print_row(outputs *o, bool screen, bool log, diag *d) {
     printer p = {o->in, screen, log};
-    return thermo_row(o->table, interp_scene(o->in)->step, print_line, &p, d);
+    int status = thermo_row(o->table, interp_scene(o->in)->step, print_line, &p, d);
+    return status ? status : results_row(o, d);
 }
 
 /* ---- the commands ------------------------------------------------------------------------------------------------ */

@@ -222,6 +222,17 @@ int interp_set_variable(interp *in, const char *name, const char *text, diag *d)
     return SARCINA_OK;
 }
 
+const char *interp_formula(const interp *in, size_t i) {
+    for (size_t k = 0; k < in->variables.count; k++)
+        if (in->variables.list[k].kind == VARIABLE_FORMULA && i-- == 0)
+            return in->variables.list[k].name;
+    return NULL;
+}
+
+bool interp_results(const interp *in) {
+    return in->host->results && !in->check.on;
+}
+
 /* ---- running ---- */
 
 /* Tells the host about a failure that nothing above will handle. */
@@ -302,6 +313,19 @@ static void check_unread(interp *shadow) {
     }
 }
 
+/* FNV-1a (Fowler, Noll, Vo) of the files' texts, in the order in which they were read. */
+static uint64_t hash_sources(const interp *in) {
+    uint64_t h = 0xcbf29ce484222325u;
+    for (size_t i = 0; i < in->nsources; i++)
+        for (size_t k = 0; *in->sources[i]->name && k < in->sources[i]->length; k++)
+            h = (h ^ (unsigned char)in->sources[i]->text[k]) * 0x100000001b3u;
+    return h;
+}
+
+uint64_t interp_fingerprint(const interp *in) {
+    return in->fingerprint;
+}
+
 static size_t check_source(interp *in, source *s) {
     interp *shadow = interp_create(in->host);
     shadow->check.on = true;
@@ -312,6 +336,7 @@ static size_t check_source(interp *in, source *s) {
         execute_report(shadow, &d);
     check_unread(shadow);
     size_t errors = shadow->check.errors;
+    in->fingerprint = hash_sources(shadow);
     interp_free(shadow);
     return errors;
 }

@@ -63,6 +63,12 @@ int interp_journal_replay(interp *in, const char *const *texts, size_t n, diag *
 char *interp_variables_save(const interp *in);
 int interp_variables_load(interp *in, const char *text, diag *d);
 
+/* The name of the i-th `equal` variable; NULL behind the last. */
+const char *interp_formula(const interp *in, size_t i);
+
+/* Is this a run of an ensemble, which leaves its tables (command/results.h)? */
+bool interp_results(const interp *in);
+
 /* ---- texts run later -------------------------------------------------------------------------------------------- */
 
 command_text *interp_keep_text(command_text *t); /* counts references */
@@ -125,6 +131,7 @@ typedef struct interp_host {
     const char *library; /* folder include searches last; NULL */
     bool safe;           /* refuse what is COMMAND_UNSAFE */
     bool test;           /* a failed expect is counted and the script goes on */
+    bool results;        /* leave the tables that ensembles are merged from */
 } interp_host;
 
 /* host must outlive the interpreter. */
@@ -138,6 +145,9 @@ int interp_set_variable(interp *in, const char *name, const char *text, diag *d)
  * *unread: the error of a -var that nothing reads counts too. */
 size_t interp_check_file(interp *in, const char *path);
 size_t interp_check_text(interp *in, const char *name, const char *text);
+
+/* A number that says which texts the last interp_check_* read: the script's and those it includes. */
+uint64_t interp_fingerprint(const interp *in);
 
 /* Runs a script whose check has passed. A failure has been told to host->error; its status returns. */
 int interp_run_file(interp *in, const char *path);

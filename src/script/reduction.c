@@ -1,70 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Sums are taken in the order the numbers come in, that of the cells' ids, so no result depends on the order of rows.
- * Quantiles interpolate between order statistics, at p (n - 1) from the smallest (Hyndman & Fan 1996, type 7, the
- * default of R and NumPy). */
+/* The numbers come in the order of the cells' ids, so no result depends on the order of rows. */
 #include "script/reduction.h"
 
+#include "base/statistics.h"
 #include "base/table.h"
 
-#include <gsl/gsl_cdf.h>
-#include <gsl/gsl_sort.h>
-#include <gsl/gsl_statistics_double.h>
-#include <math.h>
-
-static double sum(double *v, size_t n, double p) {
-    (void)p;
-    double total = 0;
-    for (size_t i = 0; i < n; i++)
-        total += v[i];
-    return total;
-}
-
-static double mean(double *v, size_t n, double p) {
-    return sum(v, n, p) / (double)n;
-}
-
-/* Of the sample: n - 1 in the denominator. */
-static double sd(double *v, size_t n, double p) {
-    (void)p;
-    if (n < 2)
-        return NAN;
-    double centre = mean(v, n, 0), total = 0;
-    for (size_t i = 0; i < n; i++)
-        total += (v[i] - centre) * (v[i] - centre);
-    return sqrt(total / (double)(n - 1));
-}
-
-static double ci95(double *v, size_t n, double p) {
-    (void)p;
-    if (n < 2)
-        return NAN;
-    return gsl_cdf_tdist_Pinv(0.975, (double)(n - 1)) * sd(v, n, 0) / sqrt((double)n);
-}
-
-static double quantile(double *v, size_t n, double p) {
-    gsl_sort(v, 1, n);
-    return gsl_stats_quantile_from_sorted_data(v, 1, n, p);
-}
+#define REDUCE(name, call)                                                                                             \
+    static double name(double *v, size_t n, double p) {                                                                \
+        (void)p;                                                                                                       \
+        return call(v, n);                                                                                             \
+    }
+REDUCE(sum, statistics_sum)
+REDUCE(mean, statistics_mean)
+REDUCE(sd, statistics_sd)
+REDUCE(ci95, statistics_ci95)
+REDUCE(least, statistics_min)
+REDUCE(most, statistics_max)
+#undef REDUCE
 
 static double median(double *v, size_t n, double p) {
     (void)p;
-    return quantile(v, n, 0.5);
-}
-
-static double least(double *v, size_t n, double p) {
-    (void)p;
-    double m = v[0];
-    for (size_t i = 1; i < n; i++)
-        m = v[i] < m ? v[i] : m;
-    return m;
-}
-
-static double most(double *v, size_t n, double p) {
-    (void)p;
-    double m = v[0];
-    for (size_t i = 1; i < n; i++)
-        m = v[i] > m ? v[i] : m;
-    return m;
+    return statistics_quantile(v, n, 0.5);
 }
 
 const reduction_style reduction_styles[] = {
@@ -77,7 +33,7 @@ const reduction_style reduction_styles[] = {
     {"count", "count(test)", "how many cells it holds for; how many a list has", REDUCTION_COUNT, NULL},
     {"fraction", "fraction(test [where test])", "part of the cells it holds for", REDUCTION_FRACTION, NULL},
     {"quantile", "quantile(p, x [where test])", "value that the part p of them does not exceed", REDUCTION_QUANTILE,
-     quantile},
+     statistics_quantile},
     {"ci95", "ci95(x [where test])", "half-width of the 95 % interval of the mean (Student's t)", REDUCTION_VALUE,
      ci95},
 };

@@ -45,6 +45,7 @@ struct interp {
     char **journal;
     size_t njournal, journal_capacity;
     checking check;
+    uint64_t fingerprint; /* of the texts that the last check read */
     loop_request loop;
     bool quit;
     int quit_code;
