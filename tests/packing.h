@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PACKING_COCCUS, PACKING_ROD };
+enum { PACKING_COCCUS, PACKING_ROD, PACKING_FLEXIBLE };
 
 typedef struct packing {
     colony *c;
@@ -34,9 +34,18 @@ static inline packing packing_create(uint64_t seed) {
     packing p = {.c = colony_create(), .random = seed};
     species_add(&p.species, "coccus");
     species_add(&p.species, "rod");
-    p.species.list[PACKING_COCCUS].density = p.species.list[PACKING_ROD].density = 1.01;
+    species_add(&p.species, "flexible");
+    for (size_t i = 0; i < p.species.count; i++)
+        p.species.list[i].density = 1.01;
     p.species.list[PACKING_ROD].shape = SHAPE_ROD;
     p.species.list[PACKING_ROD].internal_k = 5e4;
+    species *flexible = &p.species.list[PACKING_FLEXIBLE];
+    flexible->shape = SHAPE_FLEXIBLE;
+    flexible->particles = 7;
+    flexible->internal_k = 5e4;
+    flexible->bend_k = 2e4;
+    flexible->twist_k = 1e4;
+    flexible->coil = (chain_coil){0.4, 2, false};
     force_settings *t = p.forces.term;
     memcpy(t[FORCE_COLLISION].p, (double[]){1e5, 1.01, CONTACT_REGULARISED, 0.01}, 4 * sizeof(double));
     memcpy(t[FORCE_SUBSTRATUM].p, (double[]){0, 1e5}, 2 * sizeof(double));
@@ -72,6 +81,17 @@ static inline uint32_t packing_rod(packing *p, const double a[3], const double b
     memcpy(x + 3, b, 3 * sizeof *x);
     uint32_t row = colony_add_cell(p->c, 2, x);
     p->c->cell.species[row] = PACKING_ROD;
+    p->c->cell.diameter[row] = diameter;
+    p->c->cell.rest[row] = rest;
+    p->c->cell.mass[row] = shape_rod_mass(rest, diameter, 1.01);
+    return row;
+}
+
+/* A flexible cell at x (n x 3) with segments of this rest length. */
+static inline uint32_t packing_chain(packing *p, const double *x, size_t n, double segment, double diameter) {
+    double rest = segment * (double)(n - 1);
+    uint32_t row = colony_add_cell(p->c, n, x);
+    p->c->cell.species[row] = PACKING_FLEXIBLE;
     p->c->cell.diameter[row] = diameter;
     p->c->cell.rest[row] = rest;
     p->c->cell.mass[row] = shape_rod_mass(rest, diameter, 1.01);
@@ -120,6 +140,17 @@ static inline void packing_fill(packing *p, const packing_recipe *r) {
     }
     for (size_t i = 0; i < 3 * p->c->particle.count; i++)
         p->c->particle.v[i] = packing_draw(p, -5, 5);
+}
+
+/* A coil of the flexible species about a centre, every coordinate off its place by up to `noise`. */
+static inline uint32_t packing_coil(packing *p, const double centre[3], double segment, double diameter, double noise) {
+    enum { MOST = 64 };
+    const species *s = &p->species.list[PACKING_FLEXIBLE];
+    double x[3 * MOST];
+    chain_coil_places(&s->coil, segment, s->particles, x);
+    for (size_t i = 0; i < 3 * (size_t)s->particles; i++)
+        x[i] += centre[i % 3] + packing_draw(p, -noise, noise);
+    return packing_chain(p, x, s->particles, segment, diameter);
 }
 
 /* A spring between two particles of different cells, or from one to an anchor (b SPRING_ANCHOR). */

@@ -1,9 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The colony as the mechanics see it: one body a cell, in slots whose order the mechanics choose (by space, so that
- * neighbours in space are neighbours in memory). No result depends on the order of slots. Units: um, pg, s. */
+/* The colony as the mechanics see it: bodies, in slots whose order the mechanics choose (by space, so that neighbours
+ * in space are neighbours in memory). No result depends on the order of slots. A body is what touches others: a coccus,
+ * a rod, or one segment of a flexible cell, which shares its ends with the segments beside it. Each particle is owned
+ * by one body, which sums what acts on it: a segment owns its first particle, a cell's last segment both. Units: um,
+ * pg, s. */
 #ifndef SARCINA_MECHANICS_BODY_H
 #define SARCINA_MECHANICS_BODY_H
 
+#include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -11,11 +16,14 @@ typedef struct body {
     uint64_t id;       /* of the cell */
     uint32_t row;      /* cell row in the colony */
     uint32_t first;    /* row of its first particle */
-    uint32_t count;    /* particles it has */
-    uint32_t rank;     /* place of its id among all ids */
+    uint32_t count;    /* particles at its ends: 1 or 2 */
+    uint32_t rank;     /* place among all bodies in the order of ids and, within a cell, of segments */
+    uint16_t segment;  /* of its cell, from 0 */
+    uint8_t owned;     /* particles it owns, from first on */
+    bool chained;      /* a segment of a flexible cell */
     double radius;     /* um */
     double rest;       /* rest length between its ends, um; 0 for a coccus */
-    double internal_k; /* of the spring inside it, pg/s2; 0: none */
+    double internal_k; /* of the spring between them, pg/s2; 0: none */
     double density;    /* pg/um3 */
 } body;
 
@@ -28,7 +36,40 @@ typedef struct capsule {
 
 /* What tells a particle from all others, the same after any reordering: the key of its random directions. */
 static inline uint64_t body_particle_key(const body *b, uint32_t particle_row) {
-    return b->id << 16 | (particle_row - b->first);
+    return b->id << 16 | (b->segment + particle_row - b->first);
+}
+
+/* The same for a body among bodies. */
+static inline uint64_t body_key(const body *b) {
+    return b->id ^ (uint64_t)b->segment << 48;
+}
+
+/* Do two bodies never collide: segments of one cell that share a particle, or that are so near along it (less than half
+ * the circumference of its touching surface) that bending alone brings them within reach of each other, without the
+ * cell lying on itself? */
+static inline bool body_is_joined(const body *a, const body *b, double reach) {
+    if (a->id != b->id)
+        return false;
+    int between = (a->segment > b->segment ? a->segment - b->segment : b->segment - a->segment) - 1;
+    return between < 1 || between * a->rest < M_PI * reach * a->radius;
+}
+
+/* A flexible cell: a chain of particles, `count` of them from row `first` on, and what holds it in shape. */
+typedef struct chain {
+    uint64_t id;             /* of the cell */
+    uint32_t row, first;     /* cell row; row of its first particle */
+    uint32_t count;          /* particles */
+    double radius, rest;     /* um; rest length of a segment */
+    double internal_k;       /* pg/s2 */
+    double bend_k, theta;    /* 1e-27 J; turning angle at rest */
+    double twist_k;          /* 1e-27 J */
+    double cos_phi, sin_phi; /* of the torsion at rest */
+    double straight;         /* sine of the turning angle below which the torsion fades out */
+} chain;
+
+/* What tells a chain's i-th particle from all others. */
+static inline uint64_t body_chain_key(const chain *c, uint32_t i) {
+    return c->id << 16 | i;
 }
 
 /* Mass of a body's i-th particle: half of a segment's mass goes to each of its ends. */

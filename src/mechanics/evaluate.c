@@ -77,6 +77,7 @@ static void build(mechanics *m, const double *x) {
     double begin = omp_get_wtime();
     m->neighbor.method = m->settings.method;
     m->neighbor.skin = m->skin;
+    m->neighbor.chained = m->nchains > 0;
     sort_bodies(m, x);
     neighbor_build(&m->neighbor, m->bodies, m->capsules, m->reach, state_threads(m), m->kernel);
     for (size_t slot = 0; slot < m->nbodies; slot++) {
@@ -121,6 +122,9 @@ force_frame state_frame(const mechanics *m, const double *x, const double *v) {
         .springs = &m->springs,
         .kernel = m->kernel,
         .cocci = m->cocci,
+        .chains = m->chains,
+        .nchains = m->nchains,
+        .shares = m->shares,
         .forces = &m->forces,
         .seed = m->seed,
     };
@@ -129,13 +133,24 @@ force_frame state_frame(const mechanics *m, const double *x, const double *v) {
 static void clear_chunk(const mechanics *m, size_t begin, size_t end, double *f) {
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &m->bodies[slot];
-        for (size_t i = 3 * (size_t)b->first; i < 3 * (size_t)(b->first + b->count); i++)
+        for (size_t i = 3 * (size_t)b->first; i < 3 * (size_t)(b->first + b->owned); i++)
             f[i] = 0;
     }
 }
 
-/* The terms of `which` (bit i: row i of the table), in the table's order, chunk by chunk. */
-static void evaluate(mechanics *m, unsigned which, const double *x, const double *v, double *f) {
+/* What acts within chains, and what their segments left for their owners: each chain by one thread. */
+static void evaluate_chains(mechanics *m, unsigned which, unsigned within, const force_frame *at, double *f) {
+#pragma omp parallel for num_threads(state_threads(m)) schedule(static)
+    for (size_t c = 0; c < m->nchains; c++)
+        for (int i = 0; i < FORCE_COUNT; i++)
+            if (which >> i & 1 && m->forces.term[i].on && force_styles[i]->add_chain &&
+                (within >> i & 1 || !(force_styles[i]->caps & FORCE_WITHIN_CHAINS)))
+                force_styles[i]->add_chain(m->forces.term[i].p, at, c, c + 1, f);
+}
+
+/* The terms of `which` (bit i: row i of the table), in the table's order, chunk by chunk; those that act within chains
+ * act there only where they are in `within`, too. */
+static void evaluate(mechanics *m, unsigned which, unsigned within, const double *x, const double *v, double *f) {
     double begin = omp_get_wtime(), built = m->stats.build_seconds;
     if (!state_refresh(m, x)) {
         for (size_t i = 0; i < 3 * m->nparticles; i++)
@@ -150,22 +165,28 @@ static void evaluate(mechanics *m, unsigned which, const double *x, const double
         last = last < m->nbodies ? last : m->nbodies;
         clear_chunk(m, first, last, f);
         for (int i = 0; i < FORCE_COUNT; i++)
-            if (which >> i & 1 && m->forces.term[i].on)
+            if (which >> i & 1 && m->forces.term[i].on && force_styles[i]->add)
                 force_styles[i]->add(m->forces.term[i].p, &at, first, last, f);
     }
+    if (m->nchains)
+        evaluate_chains(m, which, within, &at, f);
     m->stats.evaluations++;
-    m->stats.cell_evaluations += m->nbodies;
+    m->stats.cell_evaluations += m->ncells;
     m->stats.force_seconds += omp_get_wtime() - begin - (m->stats.build_seconds - built);
 }
 
 void mechanics_force(mechanics *m, const double *x, const double *v, double *f) {
-    evaluate(m, ~0u, x, v, f);
+    evaluate(m, ~0u, ~0u, x, v, f);
 }
 
 void mechanics_force_undamped(mechanics *m, const double *x, double *f) {
-    evaluate(m, ~(1u << FORCE_DAMPING), x, NULL, f);
+    evaluate(m, ~(1u << FORCE_DAMPING), ~0u, x, NULL, f);
+}
+
+void mechanics_force_outside(mechanics *m, const double *x, double *f) {
+    evaluate(m, ~(1u << FORCE_DAMPING), 0, x, NULL, f);
 }
 
 void mechanics_force_of(mechanics *m, force_kind term, const double *x, const double *v, double *f) {
-    evaluate(m, 1u << term, x, v, f);
+    evaluate(m, 1u << term, ~0u, x, v, f);
 }

@@ -7,9 +7,9 @@
 #include <string.h>
 
 const force_style *const force_styles[FORCE_COUNT] = {
-    [FORCE_INTERNAL] = &force_internal,     [FORCE_SPRINGS] = &force_springs, [FORCE_COLLISION] = &force_collision,
-    [FORCE_SUBSTRATUM] = &force_substratum, [FORCE_DLVO] = &force_dlvo,       [FORCE_DAMPING] = &force_damping,
-    [FORCE_GRAVITY] = &force_gravity,
+    [FORCE_INTERNAL] = &force_internal, [FORCE_BEND] = &force_bend,           [FORCE_TWIST] = &force_twist,
+    [FORCE_SPRINGS] = &force_springs,   [FORCE_COLLISION] = &force_collision, [FORCE_SUBSTRATUM] = &force_substratum,
+    [FORCE_DLVO] = &force_dlvo,         [FORCE_DAMPING] = &force_damping,     [FORCE_GRAVITY] = &force_gravity,
 };
 
 const force_style *force_find(const char *name) {

@@ -18,6 +18,8 @@ typedef struct force_settings {
 /* Rows of the force table. */
 typedef enum {
     FORCE_INTERNAL, /* springs inside rods; k by species (species.internal_k), on while any species has one */
+    FORCE_BEND,     /* resistance of flexible cells against bending; k by species, on while a cell has one */
+    FORCE_TWIST,    /* and against twisting */
     FORCE_SPRINGS,  /* the spring rows of links; on while there are any */
     FORCE_COLLISION,
     FORCE_SUBSTRATUM,

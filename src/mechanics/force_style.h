@@ -29,18 +29,20 @@ typedef struct force_frame {
     const struct neighbor *neighbor;    /* NULL without collision */
     const struct spring_index *springs; /* NULL without springs */
     const struct contact_kernel *kernel;
-    bool cocci; /* no body has more than one particle */
+    bool cocci;          /* no body has more than one particle */
+    const chain *chains; /* (nchains), flexible cells in the order of ids */
+    size_t nchains;
+    double *shares; /* (nparticles x 3): what a segment's contacts do to its last particle, for its owner to add */
     const force_set *forces;
     uint64_t seed; /* of fallback directions */
 } force_frame;
 
-/* A linear spring as the stiffness of the system sees it: k (g . u)^2 / 2 with g = sum of weight x direction. */
+/* A spring as the stiffness of the system sees it: energy k/2 (sum of g . displacement of a particle)^2. */
 typedef struct stiff_spring {
     uint32_t particle[4];
-    double weight[4];
-    double direction[3]; /* unit */
-    double k;            /* pg/s2 */
-    uint32_t count;      /* particles it touches */
+    double g[4][3];
+    double k;       /* pg/s2; of an angle 1e-27 J, and g in 1/um */
+    uint32_t count; /* particles it touches */
 } stiff_spring;
 
 typedef struct stiff_list {
@@ -50,6 +52,14 @@ typedef struct stiff_list {
 
 /* The next spring of the list, zeroed. */
 stiff_spring *force_spring_add(stiff_list *list);
+
+/* One more particle of a spring: g = weight x direction. */
+static inline void force_spring_end(stiff_spring *s, uint32_t particle, double weight, const double direction[3]) {
+    s->particle[s->count] = particle;
+    for (int k = 0; k < 3; k++)
+        s->g[s->count][k] = weight * direction[k];
+    s->count++;
+}
 
 /* What prepare may look at. */
 typedef struct force_scene {
@@ -64,7 +74,8 @@ enum {
     FORCE_CENTRAL = 4,      /* and total torque too */
     FORCE_NEEDS_PAIRS = 8,  /* neighbour list and capsules */
     FORCE_READS_VELOCITY = 16,
-    FORCE_READS_SPRINGS = 32
+    FORCE_READS_SPRINGS = 32,
+    FORCE_WITHIN_CHAINS = 64 /* acts within single chains by add_chain: may be integrated chain by chain */
 };
 
 typedef struct force_style {
@@ -79,14 +90,19 @@ typedef struct force_style {
     unsigned caps;
     /* Is the scene consistent? Once a binding; optional. */
     int (*prepare)(const double *p, const force_scene *scene, diag *d);
-    /* f (nparticles x 3) += force on the particles of bodies begin ... end - 1; required. */
+    /* f (nparticles x 3) += force on the particles that bodies begin ... end - 1 own; required but for terms of chains
+     * alone. */
     void (*add)(const double *p, const force_frame *at, size_t begin, size_t end, double *f);
-    /* Energy of one body; of a pair: with the body of lower id. Required if conservative. */
+    /* f += force on the particles of chains begin ... end - 1, after all bodies are done; optional. */
+    void (*add_chain)(const double *p, const force_frame *at, size_t begin, size_t end, double *f);
+    /* Energy of one body; of a pair: with the body of lower id. And of one chain. One of them if conservative. */
     double (*energy)(const double *p, const force_frame *at, size_t slot);
+    double (*energy_chain)(const double *p, const force_frame *at, size_t i);
     /* Linear drag, pg/s; then add is left out by integrators that damp exactly. Optional. */
     double (*drag)(const double *p);
     /* Appends the springs that act on one body at this state; of a pair: with the body of lower id. Optional. */
     void (*stiffness)(const double *p, const force_frame *at, size_t slot, stiff_list *out);
+    void (*stiffness_chain)(const double *p, const force_frame *at, size_t i, stiff_list *out);
 } force_style;
 
 /* The records, in the order of force_kind. */

@@ -3,22 +3,26 @@
  */
 #include "mechanics/state.h"
 
+#include "base/alloc.h"
 #include "mechanics/contact.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 double mechanics_energy(mechanics *m, force_kind term, const double *x) {
     const force_style *style = force_styles[term];
     const force_settings *settings = &m->forces.term[term];
-    if (!settings->on || !style->energy)
+    if (!settings->on || !(style->caps & FORCE_CONSERVATIVE))
         return 0;
     if (!state_refresh(m, x))
         return NAN;
     const force_frame at = state_frame(m, x, NULL);
     double sum = 0;
     for (size_t rank = 0; rank < m->nbodies; rank++)
-        sum += style->energy(settings->p, &at, m->by_id[rank]);
+        sum += style->energy ? style->energy(settings->p, &at, m->by_id[rank]) : 0;
+    for (size_t i = 0; i < m->nchains && style->energy_chain; i++)
+        sum += style->energy_chain(settings->p, &at, i);
     return sum;
 }
 
@@ -55,23 +59,47 @@ static double axis_distance(const mechanics *m, size_t slot, uint32_t partner) {
     return sqrt(contact_compute(law, pair).square);
 }
 
-/* Contacts and deepest overlap of one body with the partners of its row. */
-static void measure_row(const mechanics *m, size_t slot, const uint32_t *partners, size_t n, double *overlap,
-                        uint32_t *contacts) {
+/* What one cell touches: its bodies come one after another in the order of ranks. */
+typedef struct touching {
+    double overlap;
+    uint32_t *cells; /* rows of those within reach, some more than once */
+    size_t count, capacity;
+} touching;
+
+/* Contacts and deepest overlap of one body with the partners of its row that are of other cells. */
+static void measure_row(const mechanics *m, size_t slot, const uint32_t *partners, size_t n, touching *t) {
+    t->cells = alloc_grow(t->cells, &t->capacity, t->count + n, sizeof *t->cells);
     for (size_t i = 0; i < n; i++) {
-        double radii = m->bodies[slot].radius + m->bodies[partners[i]].radius;
-        double distance = axis_distance(m, slot, partners[i]);
-        *contacts += distance < m->touch * radii;
-        *overlap = radii - distance > *overlap ? radii - distance : *overlap;
+        const body *partner = &m->bodies[partners[i]];
+        double radii = m->bodies[slot].radius + partner->radius, distance = axis_distance(m, slot, partners[i]);
+        if (partner->row == m->bodies[slot].row)
+            continue;
+        if (distance < m->touch * radii)
+            t->cells[t->count++] = partner->row;
+        t->overlap = radii - distance > t->overlap ? radii - distance : t->overlap;
     }
 }
 
+static int compare_rows(const void *a, const void *b) {
+    uint32_t p = *(const uint32_t *)a, q = *(const uint32_t *)b;
+    return (p > q) - (p < q);
+}
+
+/* How many cells are touched: a chain touches one by several segments. */
+static uint32_t count_cells(touching *t) {
+    uint32_t count = 0;
+    qsort(t->cells, t->count, sizeof *t->cells, compare_rows);
+    for (size_t i = 0; i < t->count; i++)
+        count += i == 0 || t->cells[i] != t->cells[i - 1];
+    return count;
+}
+
 static void sum_force(const mechanics *m, double *force) {
-    for (size_t slot = 0; slot < m->nbodies; slot++) {
-        const body *b = &m->bodies[slot];
+    memset(force, 0, 3 * m->ncells * sizeof *force);
+    for (size_t rank = 0; rank < m->nbodies; rank++) {
+        const body *b = &m->bodies[m->by_id[rank]];
         double *out = force + 3 * (size_t)b->row;
-        memset(out, 0, 3 * sizeof *out);
-        for (size_t p = b->first; p < b->first + b->count; p++)
+        for (size_t p = b->first; p < b->first + b->owned; p++)
             for (size_t k = 0; k < 3; k++)
                 out[k] += m->scratch[3 * p + k];
     }
@@ -85,32 +113,45 @@ void mechanics_contacts(mechanics *m, double *overlap, uint32_t *contacts, doubl
     }
     if ((!overlap && !contacts) || !state_refresh_pairs(m, x))
         return;
-    for (size_t slot = 0; slot < m->nbodies; slot++) {
+    touching t = {0};
+    for (size_t rank = 0; rank < m->nbodies; rank++) {
+        size_t slot = m->by_id[rank];
+        const body *b = &m->bodies[slot];
         neighbor_row row = neighbor_get(&m->neighbor, m->bodies, slot);
-        double deepest = 0;
-        uint32_t count = 0;
-        measure_row(m, slot, row.lower, row.nlower, &deepest, &count);
-        measure_row(m, slot, row.upper, row.nupper, &deepest, &count);
+        measure_row(m, slot, row.lower, row.nlower, &t);
+        measure_row(m, slot, row.upper, row.nupper, &t);
+        if (b->chained && b->owned == 1)
+            continue; /* more of the cell to come */
         if (overlap)
-            overlap[m->bodies[slot].row] = deepest;
+            overlap[b->row] = t.overlap;
         if (contacts)
-            contacts[m->bodies[slot].row] = count;
+            contacts[b->row] = m->nchains ? count_cells(&t) : (uint32_t)t.count;
+        t.overlap = 0;
+        t.count = 0;
     }
+    free(t.cells);
 }
 
 /* The stiffest spring of a term that acts on the particle, if it beats what was found. */
 static void find_stiffest(mechanics *m, const double *x, force_kind term, size_t particle, mechanics_culprit *found) {
     const force_frame at = state_frame(m, x, NULL);
     m->stiff.count = 0;
-    for (size_t slot = 0; slot < m->nbodies; slot++)
-        force_styles[term]->stiffness(m->forces.term[term].p, &at, slot, &m->stiff);
+    const force_style *style = force_styles[term];
+    for (size_t slot = 0; slot < m->nbodies && style->stiffness; slot++)
+        style->stiffness(m->forces.term[term].p, &at, slot, &m->stiff);
+    for (size_t i = 0; i < m->nchains && style->stiffness_chain; i++)
+        style->stiffness_chain(m->forces.term[term].p, &at, i, &m->stiff);
     for (size_t i = 0; i < m->stiff.count; i++) {
         const stiff_spring *s = &m->stiff.list[i];
-        for (uint32_t j = 0; j < s->count; j++)
-            if (s->particle[j] == particle && s->k > found->k) {
-                found->k = s->k;
+        for (uint32_t j = 0; j < s->count; j++) {
+            /* what resists an angle has its lever in g */
+            const double *g = s->g[j], lever = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+            double k = style->caps & FORCE_WITHIN_CHAINS ? s->k * lever : s->k;
+            if (s->particle[j] == particle && k > found->k) {
+                found->k = k;
                 found->stiffest = term;
             }
+        }
     }
 }
 
@@ -127,7 +168,7 @@ mechanics_culprit mechanics_blame(mechanics *m, const double *x, size_t particle
             most = isnan(square) ? (double)INFINITY : square;
             found.strongest = (force_kind)term;
         }
-        if (force_styles[term]->stiffness && state_refresh(m, x))
+        if ((force_styles[term]->stiffness || force_styles[term]->stiffness_chain) && state_refresh(m, x))
             find_stiffest(m, x, (force_kind)term, particle, &found);
     }
     return found;

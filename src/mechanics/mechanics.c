@@ -6,6 +6,7 @@
 #include "mechanics/state.h"
 
 #include <math.h>
+#include <sleef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,6 +24,8 @@ void mechanics_free(mechanics *m) {
     free(m->bodies);
     free(m->spare);
     free(m->by_id);
+    free(m->chains);
+    free(m->shares);
     free(m->owner);
     free(m->order);
     free(m->mass);
@@ -74,6 +77,13 @@ static void take_image(state_image *image, const mechanics_input *in) {
     for (size_t i = 0; i < in->species->count; i++) {
         image_add(image, &in->species->list[i].internal_k, sizeof(double));
         image_add(image, &in->species->list[i].density, sizeof(double));
+        image_add(image, &in->species->list[i].bend_k, sizeof(double));
+        image_add(image, &in->species->list[i].twist_k, sizeof(double));
+        image_add(image, &in->species->list[i].bend_angle, sizeof(double));
+        image_add(image, &in->species->list[i].twist_angle, sizeof(double));
+        image_add(image, &in->species->list[i].coil.radius, sizeof(double));
+        image_add(image, &in->species->list[i].coil.pitch, sizeof(double));
+        image_add(image, &in->species->list[i].coil.left, sizeof(bool));
     }
     image_add(image, c->cell.species, c->cell.count * sizeof *c->cell.species);
     image_add(image, c->cell.mass, c->cell.count * sizeof *c->cell.mass);
@@ -115,18 +125,67 @@ static void reserve(mechanics *m) {
     }
 }
 
+/* Bodies of a cell: one, or each segment of a chain. */
+static uint32_t bodies_of(const colony *c, uint32_t row) {
+    return c->cell.nparticles[row] > 2 ? c->cell.nparticles[row] - 1 : 1;
+}
+
+/* Writes the bodies of a cell from `rank` on. */
+static void bind_cell(mechanics *m, uint32_t row, uint32_t rank) {
+    const colony *c = m->colony;
+    const species *s = &m->species->list[c->cell.species[row]];
+    uint32_t count = bodies_of(c, row), n = c->cell.nparticles[row];
+    for (uint32_t i = 0; i < count; i++)
+        m->bodies[rank + i] = (body){.id = c->cell.id[row],
+                                     .row = row,
+                                     .first = c->cell.first[row] + i,
+                                     .count = n < 2 ? 1 : 2,
+                                     .rank = rank + i,
+                                     .segment = (uint16_t)i,
+                                     .owned = i + 1 < count ? 1
+                                              : n < 2       ? 1
+                                                            : 2,
+                                     .chained = n > 2,
+                                     .radius = 0.5 * c->cell.diameter[row],
+                                     .rest = c->cell.rest[row] / count,
+                                     .internal_k = s->internal_k,
+                                     .density = s->density};
+}
+
+/* What holds a flexible cell in shape. */
+static void bind_chain(mechanics *m, uint32_t row) {
+    const colony *c = m->colony;
+    const species *s = &m->species->list[c->cell.species[row]];
+    m->chains = alloc_grow(m->chains, &m->chain_capacity, m->nchains + 1, sizeof *m->chains);
+    chain *ch = &m->chains[m->nchains++];
+    *ch = (chain){.id = c->cell.id[row],
+                  .row = row,
+                  .first = c->cell.first[row],
+                  .count = c->cell.nparticles[row],
+                  .radius = 0.5 * c->cell.diameter[row],
+                  .rest = c->cell.rest[row] / (c->cell.nparticles[row] - 1),
+                  .internal_k = s->internal_k,
+                  .bend_k = s->bend_k,
+                  .twist_k = s->twist_k};
+    species_rest_angles(s, c->cell.rest[row], &ch->theta, &ch->cos_phi, &ch->sin_phi);
+    double sine = Sleef_cinz_sind1_u10purec(ch->theta);
+    ch->straight = sine > 1e-6 ? 0.5 * sine : 0.1;
+}
+
 /* Bodies in the order of ids; masses and radii of their particles. */
 static void bind_bodies(mechanics *m) {
     colony *c = m->colony;
     const uint32_t *by_id = colony_by_id(c);
     m->ordered = true;
+    m->nchains = 0;
     size_t filled = 0;
-    for (uint32_t rank = 0; rank < m->nbodies; rank++) {
-        uint32_t row = by_id[rank];
-        const species *s = &m->species->list[c->cell.species[row]];
-        m->bodies[rank] = (body){c->cell.id[row],         row,           c->cell.first[row],
-                                 c->cell.nparticles[row], rank,          0.5 * c->cell.diameter[row],
-                                 c->cell.rest[row],       s->internal_k, s->density};
+    uint32_t rank = 0;
+    for (size_t cell = 0; cell < m->ncells; cell++) {
+        uint32_t row = by_id[cell];
+        bind_cell(m, row, rank);
+        rank += bodies_of(c, row);
+        if (c->cell.nparticles[row] > 2)
+            bind_chain(m, row);
         for (uint32_t i = 0; i < c->cell.nparticles[row]; i++) {
             uint32_t p = c->cell.first[row] + i;
             m->ordered = m->ordered && p == filled;
@@ -135,13 +194,15 @@ static void bind_bodies(mechanics *m) {
             m->radius[p] = 0.5 * c->cell.diameter[row];
         }
     }
+    if (m->nchains)
+        m->shares = alloc_grow(m->shares, &m->share_capacity, 3 * m->nparticles, sizeof *m->shares);
 }
 
 void state_index(mechanics *m) {
     for (uint32_t slot = 0; slot < m->nbodies; slot++) {
         const body *b = &m->bodies[slot];
         m->by_id[b->rank] = slot;
-        for (uint32_t i = 0; i < b->count; i++)
+        for (uint32_t i = 0; i < b->owned; i++)
             m->owner[b->first + i] = slot;
     }
 }
@@ -162,7 +223,10 @@ static void bind(mechanics *m, const mechanics_input *in) {
     m->forces = *in->forces;
     m->settings = in->neighbor;
     m->seed = in->seed;
-    m->nbodies = in->colony->cell.count;
+    m->ncells = in->colony->cell.count;
+    m->nbodies = 0;
+    for (uint32_t row = 0; row < m->ncells; row++)
+        m->nbodies += bodies_of(in->colony, row);
     m->nparticles = in->colony->particle.count;
     reserve(m);
     bind_bodies(m);
@@ -173,6 +237,11 @@ static void bind(mechanics *m, const mechanics_input *in) {
     for (size_t i = 0; i < m->nbodies; i++)
         if (m->bodies[i].count > 1 && m->bodies[i].internal_k > 0)
             m->forces.term[FORCE_INTERNAL].on = true;
+    m->forces.term[FORCE_BEND].on = m->forces.term[FORCE_TWIST].on = false;
+    for (size_t i = 0; i < m->nchains; i++) {
+        m->forces.term[FORCE_BEND].on |= m->chains[i].bend_k > 0;
+        m->forces.term[FORCE_TWIST].on |= m->chains[i].twist_k > 0;
+    }
     m->forces.term[FORCE_SPRINGS].on = in->colony->spring.count > 0;
     if (m->forces.term[FORCE_SPRINGS].on)
         spring_index_build(&m->springs, in->colony, m->owner, m->bodies);
@@ -224,6 +293,14 @@ void mechanics_state(const mechanics *m, double **x, double **v) {
     *v = m->colony->particle.v;
 }
 
+bool mechanics_has_chains(const mechanics *m) {
+    return m->nchains > 0;
+}
+
+bool mechanics_is_chained(const mechanics *m, size_t particle) {
+    return m->bodies[m->owner[particle]].chained;
+}
+
 const uint32_t *mechanics_order(const mechanics *m) {
     return m->ordered ? NULL : m->order;
 }
@@ -240,7 +317,8 @@ mechanics_stats mechanics_statistics(const mechanics *m) {
     stats.pairs = m->listed ? neighbor_entries(&m->neighbor) : 0;
     stats.skin = m->skin;
     stats.kernel = m->kernel->name;
-    stats.bytes = sizeof *m + m->image.capacity + m->next_image.capacity +
+    stats.bytes = sizeof *m + m->image.capacity + m->next_image.capacity + m->chain_capacity * sizeof *m->chains +
+                  m->share_capacity * sizeof *m->shares +
                   m->body_capacity * (2 * sizeof *m->bodies + sizeof *m->by_id) +
                   m->particle_capacity * (2 * sizeof(uint32_t) + 5 * sizeof(double)) +
                   m->capsule_capacity * (sizeof *m->capsules + 6 * sizeof(double)) +

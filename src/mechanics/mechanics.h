@@ -53,7 +53,19 @@ void mechanics_force(mechanics *m, const double *x, const double *v, double *f);
 /* The same without damping, for integrators that damp exactly, and for fmax. */
 void mechanics_force_undamped(mechanics *m, const double *x, double *f);
 
-/* The same of one term alone, 0 when it is not active; v may be NULL for terms that do not read it. */
+/* The same without what acts within flexible cells (their own springs, bending, twisting), for integrators that take
+ * those implicitly: see mechanics_flight. Without flexible cells: the same as mechanics_force_undamped. */
+void mechanics_force_outside(mechanics *m, const double *x, double *f);
+
+/* Moves the particles of all flexible cells for h under what acts within their cell and damping, by implicit Euler: x
+ * and v (nparticles x 3) become those at the end; others' rows are left alone. No bending is too stiff for any h. */
+void mechanics_flight(mechanics *m, double h, double *x, double *v);
+
+/* Are there flexible cells; is a particle one of theirs? */
+bool mechanics_has_chains(const mechanics *m);
+bool mechanics_is_chained(const mechanics *m, size_t particle);
+
+/* The forces of one term alone, 0 when it is not active; v may be NULL for terms that do not read it. */
 void mechanics_force_of(mechanics *m, force_kind term, const double *x, const double *v, double *f);
 
 double mechanics_drag(const mechanics *m);        /* linear drag of a particle; 0 without damping */
@@ -76,6 +88,9 @@ double mechanics_stiffness(mechanics *m, const double *x);
 /* The same by power iteration from mode (nparticles x 3), the last eigenvector found, which it improves: cheap where
  * the system has changed little. A mode of zeros is started anew. */
 double mechanics_stiffness_from(mechanics *m, const double *x, double *mode);
+
+/* The same without what acts within flexible cells. */
+double mechanics_stiffness_outside(mechanics *m, const double *x, double *mode);
 
 /* Who is to blame for a step that cannot be taken at x: the particle's cell, the term whose force on it is largest, and
  * the stiffest spring that acts on it, with its term. FORCE_COUNT: no term, no spring. */

@@ -28,14 +28,14 @@ void neighbor_sort(neighbor *list, const capsule *capsules, size_t n, uint32_t *
 }
 
 size_t neighbor_entries(const neighbor *list) {
-    if (list->method == NEIGHBOR_PAIRS)
-        return list->n ? list->n * (list->n - 1) : 0;
-    return list->start ? list->start[list->n] : 0;
+    if (list->listed)
+        return list->start[list->n];
+    return list->n ? list->n * (list->n - 1) : 0;
 }
 
 void neighbor_pairs(const neighbor *list, const body *bodies, size_t begin, size_t count, uint32_t *first_buffer,
                     uint32_t *second_buffer, const uint32_t **first, const uint32_t **second) {
-    if (list->method == NEIGHBOR_CELLS) {
+    if (list->listed) {
         *first = list->first + begin;
         *second = list->second + begin;
         return;
@@ -53,6 +53,7 @@ void neighbor_pairs(const neighbor *list, const body *bodies, size_t begin, size
 /* What one thread gathers: for a stretch of slots, the partners above each that are near enough. */
 typedef struct gatherer {
     const grid *g;
+    const body *bodies; /* NULL: none are joined */
     const capsule *capsules;
     const contact_kernel *kernel;
     contact_law_values law; /* the published one: distances between axes */
@@ -102,9 +103,23 @@ static void gather(gatherer *w, size_t begin, size_t end) {
     for (size_t slot = begin; slot < end; slot++) {
         size_t nfound = grid_search(w->g, slot, &w->found, &w->found_capacity);
         for (size_t i = 0; i < nfound; i++)
-            load_candidate(w, (uint32_t)slot, w->found[i]);
+            if (!w->bodies || !body_is_joined(&w->bodies[slot], &w->bodies[w->found[i]], w->law.reach))
+                load_candidate(w, (uint32_t)slot, w->found[i]);
     }
     filter(w);
+}
+
+/* The same for all pairs, near or far: the oracle where some are joined. */
+static void gather_all(gatherer *w, size_t n) {
+    for (size_t slot = 0; slot < n; slot++) {
+        w->owners = alloc_grow(w->owners, &w->owners_capacity, w->count + n, sizeof *w->owners);
+        w->partners = alloc_grow(w->partners, &w->partners_capacity, w->count + n, sizeof *w->partners);
+        for (size_t other = slot + 1; other < n; other++)
+            if (!body_is_joined(&w->bodies[slot], &w->bodies[other], w->law.reach)) {
+                w->owners[w->count] = (uint32_t)slot;
+                w->partners[w->count++] = (uint32_t)other;
+            }
+    }
 }
 
 static void free_gatherer(gatherer *w) {
@@ -194,20 +209,28 @@ void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules,
     reserve(list);
     for (size_t i = 0; i < list->n; i++)
         list->by_id[bodies[i].rank] = (uint32_t)i;
-    if (list->method == NEIGHBOR_PAIRS)
+    list->listed = list->method == NEIGHBOR_CELLS || list->chained;
+    if (!list->listed)
         return;
-    grid_build(&list->grid, capsules, reach, list->skin + slack);
+    bool all = list->method == NEIGHBOR_PAIRS;
+    threads = all ? 1 : threads;
+    if (!all)
+        grid_build(&list->grid, capsules, reach, list->skin + slack);
     gatherer *parts = alloc_aligned((size_t)threads, sizeof *parts, _Alignof(gatherer));
     memset(parts, 0, (size_t)threads * sizeof *parts);
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
     for (int p = 0; p < threads; p++) {
         gatherer *w = &parts[p];
         w->g = &list->grid;
+        w->bodies = list->chained ? bodies : NULL;
         w->capsules = capsules;
         w->kernel = kernel;
         w->law = (contact_law_values){1, reach, 0};
         w->skin = list->skin + slack;
-        gather(w, list->n * (size_t)p / (size_t)threads, list->n * ((size_t)p + 1) / (size_t)threads);
+        if (all)
+            gather_all(w, list->n);
+        else
+            gather(w, list->n * (size_t)p / (size_t)threads, list->n * ((size_t)p + 1) / (size_t)threads);
     }
     enter_pairs(list, parts, threads);
 #pragma omp parallel for num_threads(threads) schedule(static, 1)

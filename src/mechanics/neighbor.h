@@ -20,7 +20,9 @@ typedef struct neighbor_row {
 
 typedef struct neighbor {
     neighbor_method method;
-    double skin; /* um */
+    double skin;  /* um */
+    bool chained; /* some bodies are segments of chains: those that are joined (body_is_joined) are no pair */
+    bool listed;  /* the rows are written down; else they are of all pairs */
     size_t n;
     /* entries, row after row (start[n]), in the order of the partners' ids: the slots of a pair, that of lower id
      * first; one of them is the row's owner, and NEIGHBOR_OWN marks first where it is that one. */
@@ -45,7 +47,7 @@ void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules,
 /* Entries of all rows; where a slot's row begins (of n: the end). */
 size_t neighbor_entries(const neighbor *list);
 static inline size_t neighbor_start(const neighbor *list, size_t slot) {
-    return list->method == NEIGHBOR_PAIRS ? slot * (list->n - 1) : list->start[slot];
+    return list->listed ? list->start[slot] : slot * (list->n - 1);
 }
 
 /* The pairs of count entries from entry `begin` on, in *first and *second: the list's own, or written to the buffers
@@ -54,7 +56,7 @@ void neighbor_pairs(const neighbor *list, const body *bodies, size_t begin, size
                     uint32_t *second_buffer, const uint32_t **first, const uint32_t **second);
 
 static inline neighbor_row neighbor_get(const neighbor *list, const body *bodies, size_t slot) {
-    if (list->method == NEIGHBOR_PAIRS) {
+    if (!list->listed) {
         size_t rank = bodies[slot].rank;
         return (neighbor_row){list->by_id, list->by_id + rank + 1, rank, list->n - rank - 1};
     }

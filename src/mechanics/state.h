@@ -25,9 +25,12 @@ struct mechanics {
     int threads; /* as asked */
     bool bound;
     state_image image, next_image;
-    size_t nbodies, nparticles;
-    body *bodies, *spare;  /* (nbodies), by slot */
-    uint32_t *by_id;       /* slots in the order of ids (nbodies) */
+    size_t ncells, nbodies, nparticles;
+    body *bodies, *spare; /* (nbodies), by slot */
+    uint32_t *by_id;      /* slots in the order of ranks (nbodies) */
+    chain *chains;        /* (nchains), flexible cells in the order of ids */
+    size_t nchains, chain_capacity;
+    double *shares;        /* (nparticles x 3), only with chains */
     uint32_t *owner;       /* slot of each particle (nparticles) */
     uint32_t *order;       /* particle rows in the order of ids (nparticles) */
     bool ordered;          /* rows stand in that order */
@@ -47,7 +50,7 @@ struct mechanics {
     const contact_kernel *kernel;
     double *scratch; /* (nparticles x 3) */
     stiff_list stiff;
-    size_t body_capacity, particle_capacity, capsule_capacity;
+    size_t body_capacity, particle_capacity, capsule_capacity, share_capacity;
     mechanics_stats stats;
 };
 

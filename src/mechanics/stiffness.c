@@ -15,16 +15,23 @@ enum { ITERATIONS_FRESH = 60, ITERATIONS_AGAIN = 6 };
 static const double tolerance = 0.01;
 
 /* The springs of all active terms, weights divided by the root of the particle's mass; in the order of ids. */
-static void collect(mechanics *m, const double *x) {
+static void collect(mechanics *m, const double *x, bool chains) {
     const force_frame at = state_frame(m, x, NULL);
     m->stiff.count = 0;
     for (size_t rank = 0; rank < m->nbodies; rank++)
         for (int i = 0; i < FORCE_COUNT; i++)
             if (m->forces.term[i].on && force_styles[i]->stiffness)
                 force_styles[i]->stiffness(m->forces.term[i].p, &at, m->by_id[rank], &m->stiff);
+    for (size_t c = 0; chains && c < m->nchains; c++)
+        for (int i = 0; i < FORCE_COUNT; i++)
+            if (m->forces.term[i].on && force_styles[i]->stiffness_chain)
+                force_styles[i]->stiffness_chain(m->forces.term[i].p, &at, c, &m->stiff);
     for (size_t i = 0; i < m->stiff.count; i++)
-        for (uint32_t j = 0; j < m->stiff.list[i].count; j++)
-            m->stiff.list[i].weight[j] /= sqrt(m->mass[m->stiff.list[i].particle[j]]);
+        for (uint32_t j = 0; j < m->stiff.list[i].count; j++) {
+            double root = sqrt(m->mass[m->stiff.list[i].particle[j]]);
+            for (int k = 0; k < 3; k++)
+                m->stiff.list[i].g[j][k] /= root;
+        }
 }
 
 /* out = M^-1/2 K M^-1/2 mode */
@@ -35,11 +42,11 @@ static void apply(const mechanics *m, const double *mode, double *out) {
         double along = 0;
         for (uint32_t j = 0; j < s->count; j++) {
             const double *y = mode + 3 * (size_t)s->particle[j];
-            along += s->weight[j] * (s->direction[0] * y[0] + s->direction[1] * y[1] + s->direction[2] * y[2]);
+            along += s->g[j][0] * y[0] + s->g[j][1] * y[1] + s->g[j][2] * y[2];
         }
         for (uint32_t j = 0; j < s->count; j++)
             for (size_t k = 0; k < 3; k++)
-                out[3 * (size_t)s->particle[j] + k] += s->k * along * s->weight[j] * s->direction[k];
+                out[3 * (size_t)s->particle[j] + k] += s->k * along * s->g[j][k];
     }
 }
 
@@ -56,15 +63,16 @@ static double dot(const mechanics *m, const double *a, const double *b) {
 static void start(const mechanics *m, double *mode) {
     for (size_t slot = 0; slot < m->nbodies; slot++) {
         const body *b = &m->bodies[slot];
-        for (uint32_t i = 0; i < b->count; i++)
+        for (uint32_t i = 0; i < b->owned; i++)
             rng_direction(0, body_particle_key(b, b->first + i), 0, mode + 3 * (size_t)(b->first + i));
     }
 }
 
-double mechanics_stiffness_from(mechanics *m, const double *x, double *mode) {
+/* By power iteration; with or without what acts within chains. */
+static double iterate(mechanics *m, const double *x, double *mode, bool chains) {
     if (!state_refresh(m, x))
         return NAN;
-    collect(m, x);
+    collect(m, x, chains);
     if (m->stiff.count == 0)
         return 0;
     double square = dot(m, mode, mode), value = 0;
@@ -85,6 +93,14 @@ double mechanics_stiffness_from(mechanics *m, const double *x, double *mode) {
             break;
     }
     return value;
+}
+
+double mechanics_stiffness_from(mechanics *m, const double *x, double *mode) {
+    return iterate(m, x, mode, true);
+}
+
+double mechanics_stiffness_outside(mechanics *m, const double *x, double *mode) {
+    return iterate(m, x, mode, false);
 }
 
 double mechanics_stiffness(mechanics *m, const double *x) {

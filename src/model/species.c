@@ -4,6 +4,8 @@
 #include "base/alloc.h"
 #include "model/shape.h"
 
+#include <math.h>
+#include <sleef.h>
 #include <string.h>
 
 int species_find(const species_table *t, const char *name) {
@@ -19,11 +21,27 @@ int species_add(species_table *t, const char *name) {
     memset(s, 0, sizeof *s);
     strncpy(s->name, name, sizeof s->name - 1);
     s->growth.style = s->division.style = -1;
+    s->bend_angle = s->twist_angle = NAN;
     return (int)t->count++;
 }
 
 size_t species_particles(const species *s) {
-    return s->shape == SHAPE_COCCUS ? 1 : 2;
+    return s->shape == SHAPE_COCCUS ? 1 : s->shape == SHAPE_ROD ? 2 : s->particles;
+}
+
+const char *species_shape_name(shape_kind shape) {
+    static const char *const names[] = {[SHAPE_COCCUS] = "coccus", [SHAPE_ROD] = "rod", [SHAPE_FLEXIBLE] = "flexible"};
+    return names[shape];
+}
+
+void species_rest_angles(const species *s, double rest, double *theta, double *cos_phi, double *sin_phi) {
+    chain_coil_angles(&s->coil, rest / (s->particles - 1), theta, cos_phi, sin_phi);
+    if (!isnan(s->bend_angle))
+        *theta = s->bend_angle;
+    if (!isnan(s->twist_angle)) {
+        *cos_phi = Sleef_cinz_cosd1_u10purec(s->twist_angle);
+        *sin_phi = Sleef_cinz_sind1_u10purec(s->twist_angle);
+    }
 }
 
 double species_rest(const species *s, double mass, double diameter, double aspect) {

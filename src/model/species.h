@@ -5,9 +5,10 @@
 
 #include "base/param.h"
 #include "base/spread.h"
+#include "model/chain.h"
 #include "model/colony.h"
 
-typedef enum { SHAPE_COCCUS, SHAPE_ROD } shape_kind;
+typedef enum { SHAPE_COCCUS, SHAPE_ROD, SHAPE_FLEXIBLE } shape_kind;
 
 /* A style chosen from a table, with its parameters in the order of the style's param records (engine units;
  * a choice is its row, a flag 0 or 1). */
@@ -20,11 +21,16 @@ typedef struct species {
     char name[64];
     shape_kind shape;
     double density;  /* pg/um3 */
-    spread diameter; /* rods of fixed diameter, um; law fixed and 0: aspect is kept instead */
+    spread diameter; /* rods of fixed diameter and flexible cells, um; law fixed and 0: aspect is kept instead */
     spread aspect;   /* rods of fixed length over diameter; 0: not kept */
     char color[16];  /* "#rrggbb", or "" : by order */
     style_choice growth, division;
-    double internal_k; /* spring inside each rod, pg/s2; 0: the script has not named it */
+    double internal_k; /* each spring inside a rod or flexible cell, pg/s2; 0: the script has not named it */
+    /* flexible cells */
+    uint32_t particles;             /* of each cell, 3 or more */
+    chain_coil coil;                /* rest shape */
+    double bend_k, twist_k;         /* 1e-27 J; 0: the script has not named it */
+    double bend_angle, twist_angle; /* rest angles, rad; NaN: those of the rest shape */
 } species;
 
 typedef struct species_table {
@@ -40,6 +46,12 @@ int species_add(species_table *t, const char *name);
 
 /* Diameter and rest length of a cell from its mass and what it keeps (its columns diameter or aspect). */
 void species_shape_cell(const species *s, colony *c, uint32_t row);
+
+/* Rest angles of a cell of the species whose rest length is `rest`: turning angle, cosine and sine of the torsion. */
+void species_rest_angles(const species *s, double rest, double *theta, double *cos_phi, double *sin_phi);
+
+/* What an error calls a cell of the shape: "coccus", "rod", "flexible". */
+const char *species_shape_name(shape_kind shape);
 
 /* Rest length a rod of this mass would have, with diameter d (fixed diameter) or aspect a (a > 0). */
 double species_rest(const species *s, double mass, double diameter, double aspect);

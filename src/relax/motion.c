@@ -20,6 +20,11 @@ void motion_force(motion *mo, const double *x, double *f) {
     mo->evaluations++;
 }
 
+void motion_force_outside(motion *mo, const double *x, double *f) {
+    mechanics_force_outside(mo->m, x, f);
+    mo->evaluations++;
+}
+
 void motion_accept(motion *mo, const double *x, const double *v, double h, bool last, double t1) {
     memcpy(mo->x, x, 3 * mo->n * sizeof *x);
     memcpy(mo->v, v, 3 * mo->n * sizeof *v);

@@ -24,6 +24,9 @@ void motion_accelerate(motion *mo, const double *x, const double *v, double *a);
 /* Undamped forces f (n x 3) at x: one evaluation. */
 void motion_force(motion *mo, const double *x, double *f);
 
+/* The same without what acts within flexible cells: one evaluation. */
+void motion_force_outside(motion *mo, const double *x, double *f);
+
 /* Takes over a trial state as the present one, h later (at exactly t1 when `last`). */
 void motion_accept(motion *mo, const double *x, const double *v, double h, bool last, double t1);
 

@@ -17,6 +17,8 @@ typedef struct vector {
 static packing make_crowd(contact_law law, bool anchored) {
     packing p = packing_create(11);
     packing_fill(&p, &(packing_recipe){14, {5, 5, 0.6}, 0.7, 1, 3, 0.6, 1.1, 0.5});
+    for (int i = 0; i < 2; i++)
+        packing_coil(&p, (double[]){0.5 * i, 0.7 * i - 0.5, 0.6}, 0.6, 0.5, 0.1);
     packing_on(&p, FORCE_COLLISION, FORCE_GRAVITY);
     p.forces.term[FORCE_COLLISION].p[COLLISION_CONTACT] = law;
     for (uint32_t i = 0; i + 1 < 8; i++)
@@ -81,9 +83,10 @@ static void test_records(void **state) {
         const force_style *s = force_styles[term];
         assert_non_null(s->name);
         assert_ptr_equal(force_find(s->name), s);
-        assert_true(s->summary && s->formula && s->source && s->example && s->add);
+        assert_true(s->summary && s->formula && s->source && s->example && (s->add || s->add_chain));
         assert_true(s->nparams <= PARAM_COUNT_MAX);
-        assert_true(!(s->caps & FORCE_CONSERVATIVE) || s->energy);
+        assert_true(!(s->caps & FORCE_CONSERVATIVE) || s->energy || s->energy_chain);
+        assert_true(!(s->caps & FORCE_WITHIN_CHAINS) || (s->add_chain && s->energy_chain && s->stiffness_chain));
         assert_true(!(s->caps & FORCE_CENTRAL) || s->caps & FORCE_BALANCED);
     }
     assert_null(force_find("friction"));
@@ -208,7 +211,7 @@ static void test_renumbering(void **state) {
     mechanics_force(m, p.c->particle.x, p.c->particle.v, f + 3 * n * FORCE_COUNT);
     memcpy(first, p.c->cell.first, cells * sizeof *first); /* row = id - 1 */
     for (uint32_t i = 0; i < cells; i++)
-        rows[i] = i * 5 % (uint32_t)cells; /* 5 and 14 have no common divisor */
+        rows[i] = i * 5 % (uint32_t)cells; /* 5 and 16 have no common divisor */
     colony_arrange(p.c, rows, cells);
     assert_int_equal(packing_bind(&p, m, NEIGHBOR_CELLS, 1, NULL), SARCINA_OK);
     for (int term = 0; term <= FORCE_COUNT; term++) {

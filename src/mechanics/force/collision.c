@@ -55,7 +55,8 @@ static void push_coincident(stream *s, size_t n) {
         if (b->square[i] >= CONTACT_COINCIDENT * CONTACT_COINCIDENT || b->g[i] >= b->reach[i])
             continue;
         double u[3], push = b->side[i] * s->law.k * (sqrt(b->reach[i]) - sqrt(b->g[i]));
-        rng_direction(s->at->seed, s->at->bodies[s->first[i] & ~NEIGHBOR_OWN].id, s->at->bodies[s->second[i]].id, u);
+        const body *a = &s->at->bodies[s->first[i] & ~NEIGHBOR_OWN], *c = &s->at->bodies[s->second[i]];
+        rng_direction(s->at->seed, body_key(a), body_key(c), u);
         for (int k = 0; k < 3; k++) {
             b->force[k][i] = push * u[k];
             b->last[k][i] = b->place[i] * b->force[k][i];
@@ -70,10 +71,15 @@ static void begin_row(stream *s) {
         s->total[k] = s->last[k] = 0;
 }
 
-/* Gives the owner the sum of its row, and goes on to the next. */
+/* Gives the owner the sum of its row, and goes on to the next. The last particle of a chain's segment belongs to the
+ * next one: its share waits there until all bodies are done. */
 static void end_row(stream *s) {
     const body *owner = &s->at->bodies[s->slot];
     double *first = s->f + 3 * (size_t)owner->first, *last = first + 3 * (size_t)(owner->count - 1);
+    if (owner->chained) {
+        last = s->at->shares + 3 * (size_t)(owner->first + 1);
+        last[0] = last[1] = last[2] = 0;
+    }
     for (int k = 0; k < 3; k++) {
         first[k] += s->total[k] - s->last[k];
         last[k] += s->last[k];
@@ -127,6 +133,16 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
         end_row(&s);
 }
 
+/* The owners of a chain's particles take the shares that its segments left for them. */
+static void add_chain(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+    (void)p;
+    for (size_t c = begin; c < end; c++) {
+        size_t first = 3 * (size_t)at->chains[c].first;
+        for (size_t i = first + 3; i < first + 3 * (size_t)at->chains[c].count; i++)
+            f[i] += at->shares[i];
+    }
+}
+
 static contact_result contact_with(const force_frame *at, contact_law_values law, size_t slot, uint32_t partner) {
     const capsule *a = &at->capsules[slot], *b = &at->capsules[partner];
     contact_pair pair = {.radii = a->radius + b->radius, .rests = a->rest * b->rest};
@@ -157,17 +173,14 @@ static void add_spring(const force_frame *at, size_t slot, uint32_t partner, con
     const double place[2] = {c->s, c->t};
     stiff_spring *spring = force_spring_add(out);
     spring->k = k;
-    double length = sqrt(c->square);
+    double length = sqrt(c->square), u[3];
     for (int i = 0; i < 3; i++)
-        spring->direction[i] = length > 0 ? c->delta[i] / length : i == 2;
+        u[i] = length > 0 ? c->delta[i] / length : i == 2;
     for (int side = 0; side < 2; side++) {
         double sign = side ? -1 : 1;
-        spring->particle[spring->count] = pair[side]->first;
-        spring->weight[spring->count++] = sign * (1 - place[side]);
-        if (pair[side]->count < 2)
-            continue;
-        spring->particle[spring->count] = pair[side]->first + pair[side]->count - 1;
-        spring->weight[spring->count++] = sign * place[side];
+        force_spring_end(spring, pair[side]->first, sign * (1 - place[side]), u);
+        if (pair[side]->count > 1)
+            force_spring_end(spring, pair[side]->first + 1, sign * place[side], u);
     }
 }
 
@@ -199,6 +212,7 @@ const force_style force_collision = {
     .nparams = sizeof params / sizeof params[0],
     .caps = FORCE_CONSERVATIVE | FORCE_BALANCED | FORCE_CENTRAL | FORCE_NEEDS_PAIRS,
     .add = add,
+    .add_chain = add_chain,
     .energy = energy,
     .stiffness = stiffness,
 };

@@ -6,7 +6,7 @@
 static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &at->bodies[slot];
-        for (size_t i = 3 * (size_t)b->first; i < 3 * (size_t)(b->first + b->count); i++)
+        for (size_t i = 3 * (size_t)b->first; i < 3 * (size_t)(b->first + b->owned); i++)
             f[i] += -p[DAMPING_K] * at->v[i];
     }
 }

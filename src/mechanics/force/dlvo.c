@@ -55,7 +55,7 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
     b.n = 0;
     for (size_t slot = begin; slot < end; slot++) {
         const body *owner = &at->bodies[slot];
-        for (uint32_t i = owner->first; i < owner->first + owner->count; i++) {
+        for (uint32_t i = owner->first; i < owner->first + owner->owned; i++) {
             if (b.n == KERNEL_BATCH)
                 flush(p, at, &b, f);
             b.particle[b.n] = i;
@@ -68,7 +68,7 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
 static double energy(const double *p, const force_frame *at, size_t slot) {
     const body *b = &at->bodies[slot];
     double sum = 0;
-    for (uint32_t i = b->first; i < b->first + b->count; i++) {
+    for (uint32_t i = b->first; i < b->first + b->owned; i++) {
         double g = gap(at, b, i), d = held(p, g);
         sum += repulsion(p, d) - p[DLVO_CVDW] / d - force(p, d) * (g - d);
     }
@@ -78,12 +78,12 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
 /* |dF/dz| where the law is not held: it acts as a spring of that constant. */
 static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
     const body *b = &at->bodies[slot];
-    for (uint32_t i = b->first; i < b->first + b->count; i++) {
+    for (uint32_t i = b->first; i < b->first + b->owned; i++) {
         double d = gap(at, b, i);
         if (d != held(p, d))
             continue;
         double k = p[DLVO_KAPPA] * p[DLVO_KAPPA] * repulsion(p, d) - 2 * p[DLVO_CVDW] / (d * d * d);
-        *force_spring_add(out) = (stiff_spring){{i}, {1}, {0, 0, 1}, fabs(k), 1};
+        *force_spring_add(out) = (stiff_spring){{i}, {{0, 0, 1}}, fabs(k), 1};
     }
 }
 

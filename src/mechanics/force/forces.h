@@ -7,6 +7,8 @@
 #include "mechanics/force_style.h"
 
 extern const force_style force_internal;
+extern const force_style force_bend;
+extern const force_style force_twist;
 extern const force_style force_springs;
 extern const force_style force_collision;
 extern const force_style force_substratum;

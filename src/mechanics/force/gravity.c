@@ -12,7 +12,7 @@ static double weight(const double *p, const force_frame *at, const body *b, uint
 static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &at->bodies[slot];
-        for (uint32_t i = b->first; i < b->first + b->count; i++)
+        for (uint32_t i = b->first; i < b->first + b->owned; i++)
             f[3 * (size_t)i + 2] += -weight(p, at, b, i);
     }
 }
@@ -20,7 +20,7 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
 static double energy(const double *p, const force_frame *at, size_t slot) {
     const body *b = &at->bodies[slot];
     double sum = 0;
-    for (uint32_t i = b->first; i < b->first + b->count; i++)
+    for (uint32_t i = b->first; i < b->first + b->owned; i++)
         sum += weight(p, at, b, i) * at->x[3 * (size_t)i + 2];
     return sum;
 }

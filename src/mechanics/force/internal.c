@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The spring inside a rod: F = k (L - L0) along the rod on each end, E = k/2 (L - L0)^2; k by species, L0 the cell's
- * rest length, which its mass sets. A rod of length zero takes a seeded direction.
+ * rest length, which its mass sets. A rod of length zero takes a seeded direction. A flexible cell has one spring a
+ * segment, whose rest length is its part of the cell's.
  * Source: Storck et al. 2014, "Primary structure". */
 #include "mechanics/force/forces.h"
 #include "base/rng.h"
@@ -25,7 +26,7 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
     (void)p;
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &at->bodies[slot];
-        if (b->count != 2 || b->internal_k == 0)
+        if (b->count != 2 || b->internal_k == 0 || b->chained)
             continue;
         double d[3], factor = pull(at, b, d), *out = f + 3 * (size_t)b->first;
         for (int i = 0; i < 3; i++) {
@@ -38,7 +39,7 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
 static double energy(const double *p, const force_frame *at, size_t slot) {
     (void)p;
     const body *b = &at->bodies[slot];
-    if (b->count != 2 || b->internal_k == 0)
+    if (b->count != 2 || b->internal_k == 0 || b->chained)
         return 0;
     const double *x = at->x + 3 * (size_t)b->first;
     double stretch = vec3_norm(vec3_sub(vec3_load(x + 3), vec3_load(x))) - b->rest;
@@ -48,13 +49,57 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
 static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
     (void)p;
     const body *b = &at->bodies[slot];
-    if (b->count != 2 || b->internal_k == 0)
+    if (b->count != 2 || b->internal_k == 0 || b->chained)
         return;
     stiff_spring *s = force_spring_add(out);
-    *s = (stiff_spring){{b->first, b->first + 1}, {1, -1}, {0}, b->internal_k, 2};
     const double *x = at->x + 3 * (size_t)b->first;
-    spring_direction(x, x + 3, at->seed, body_particle_key(b, b->first), body_particle_key(b, b->first + 1),
-                     s->direction);
+    double u[3];
+    spring_direction(x, x + 3, at->seed, body_particle_key(b, b->first), body_particle_key(b, b->first + 1), u);
+    s->k = b->internal_k;
+    force_spring_end(s, b->first, 1, u);
+    force_spring_end(s, b->first + 1, -1, u);
+}
+
+/* Stretch of a chain's i-th segment, and its direction. */
+static double stretch_of(const force_frame *at, const chain *c, uint32_t i, double u[3]) {
+    const double *x = at->x + 3 * ((size_t)c->first + i);
+    return spring_direction(x, x + 3, at->seed, body_chain_key(c, i), body_chain_key(c, i + 1), u) - c->rest;
+}
+
+static void add_chain(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+    (void)p;
+    for (const chain *c = at->chains + begin; c < at->chains + end; c++)
+        for (uint32_t i = 0; c->internal_k > 0 && i + 1 < c->count; i++) {
+            double u[3], tension = c->internal_k * stretch_of(at, c, i, u), *out = f + 3 * ((size_t)c->first + i);
+            for (int k = 0; k < 3; k++) {
+                out[k] += tension * u[k];
+                out[k + 3] -= tension * u[k];
+            }
+        }
+}
+
+static double energy_chain(const double *p, const force_frame *at, size_t index) {
+    (void)p;
+    const chain *c = &at->chains[index];
+    double sum = 0, u[3];
+    for (uint32_t i = 0; i + 1 < c->count; i++) {
+        double stretch = stretch_of(at, c, i, u);
+        sum += 0.5 * c->internal_k * stretch * stretch;
+    }
+    return sum;
+}
+
+static void stiffness_chain(const double *p, const force_frame *at, size_t index, stiff_list *out) {
+    (void)p;
+    const chain *c = &at->chains[index];
+    for (uint32_t i = 0; c->internal_k > 0 && i + 1 < c->count; i++) {
+        double u[3];
+        stretch_of(at, c, i, u);
+        stiff_spring *s = force_spring_add(out);
+        s->k = c->internal_k;
+        force_spring_end(s, c->first + i, 1, u);
+        force_spring_end(s, c->first + i + 1, -1, u);
+    }
 }
 
 /* Has a cell a link of its own, such as a spring listed between its ends? */
@@ -73,7 +118,8 @@ static int prepare(const double *p, const force_scene *scene, diag *d) {
         const species *s = &scene->species->list[cells->species[i]];
         if (cells->nparticles[i] < 2 || s->internal_k > 0 || has_own_link(scene->colony, cells->id[i]))
             continue;
-        diag_error(d, "species %s is a rod without link internal: nothing holds its ends together", s->name);
+        diag_error(d, "species %s is %s without link internal: nothing holds its ends together", s->name,
+                   cells->nparticles[i] > 2 ? "flexible" : "a rod");
         return diag_help(d, "link internal %s k 5e-11N/m", s->name);
     }
     return SARCINA_OK;
@@ -81,13 +127,16 @@ static int prepare(const double *p, const force_scene *scene, diag *d) {
 
 const force_style force_internal = {
     .name = "internal",
-    .summary = "the spring inside each rod",
+    .summary = "the spring inside each rod, and each segment of a flexible cell",
     .formula = "F = k (L - L0) along the rod; E = k/2 (L - L0)^2; k by species",
     .source = "Storck et al. 2014, primary structure",
     .example = "link internal ecoli k 5e-11N/m",
-    .caps = FORCE_CONSERVATIVE | FORCE_BALANCED | FORCE_CENTRAL,
+    .caps = FORCE_CONSERVATIVE | FORCE_BALANCED | FORCE_CENTRAL | FORCE_WITHIN_CHAINS,
     .prepare = prepare,
     .add = add,
     .energy = energy,
     .stiffness = stiffness,
+    .add_chain = add_chain,
+    .energy_chain = energy_chain,
+    .stiffness_chain = stiffness_chain,
 };

@@ -41,7 +41,7 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
     (void)p;
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &at->bodies[slot];
-        for (uint32_t i = b->first; i < b->first + b->count; i++)
+        for (uint32_t i = b->first; i < b->first + b->owned; i++)
             add_particle(at, b, i, f);
     }
 }
@@ -56,7 +56,7 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
     const spring_index *index = at->springs;
     const body *b = &at->bodies[slot];
     double sum = 0;
-    for (uint32_t i = b->first; i < b->first + b->count; i++)
+    for (uint32_t i = b->first; i < b->first + b->owned; i++)
         for (uint32_t e = index->start[i]; e < index->start[i + 1]; e++) {
             const spring_end *end = &index->ends[e];
             if (!is_owner(at, end, i))
@@ -72,22 +72,18 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
     (void)p;
     const spring_index *index = at->springs;
     const body *b = &at->bodies[slot];
-    for (uint32_t i = b->first; i < b->first + b->count; i++)
+    for (uint32_t i = b->first; i < b->first + b->owned; i++)
         for (uint32_t e = index->start[i]; e < index->start[i + 1]; e++) {
             const spring_end *end = &index->ends[e];
             if (!is_owner(at, end, i))
                 continue;
             stiff_spring *s = force_spring_add(out);
-            reach_end(at, end, body_particle_key(b, i), i, s->direction);
+            double u[3];
+            reach_end(at, end, body_particle_key(b, i), i, u);
             s->k = index->springs->k[end->spring];
-            s->particle[0] = i;
-            s->weight[0] = 1;
-            s->count = 1;
-            if (end->other == SPRING_ANCHOR)
-                continue;
-            s->particle[1] = end->other;
-            s->weight[1] = -1;
-            s->count = 2;
+            force_spring_end(s, i, 1, u);
+            if (end->other != SPRING_ANCHOR)
+                force_spring_end(s, end->other, -1, u);
         }
 }
 

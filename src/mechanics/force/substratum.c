@@ -13,7 +13,7 @@ static double depth(const double *p, const force_frame *at, const body *b, uint3
 static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &at->bodies[slot];
-        for (uint32_t i = b->first; i < b->first + b->count; i++)
+        for (uint32_t i = b->first; i < b->first + b->owned; i++)
             f[3 * (size_t)i + 2] += p[SUBSTRATUM_K] * depth(p, at, b, i);
     }
 }
@@ -21,7 +21,7 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
 static double energy(const double *p, const force_frame *at, size_t slot) {
     const body *b = &at->bodies[slot];
     double sum = 0;
-    for (uint32_t i = b->first; i < b->first + b->count; i++) {
+    for (uint32_t i = b->first; i < b->first + b->owned; i++) {
         double d = depth(p, at, b, i);
         sum += 0.5 * p[SUBSTRATUM_K] * d * d;
     }
@@ -30,9 +30,9 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
 
 static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
     const body *b = &at->bodies[slot];
-    for (uint32_t i = b->first; i < b->first + b->count; i++)
+    for (uint32_t i = b->first; i < b->first + b->owned; i++)
         if (depth(p, at, b, i) > 0)
-            *force_spring_add(out) = (stiff_spring){{i}, {1}, {0, 0, 1}, p[SUBSTRATUM_K], 1};
+            *force_spring_add(out) = (stiff_spring){{i}, {{0, 0, 1}}, p[SUBSTRATUM_K], 1};
 }
 
 static const param params[] = {

@@ -6,6 +6,9 @@
  * Semi-implicit Euler: kick h, flight h. Flight taken exactly (instead of drift, damp, drift: the same to (g h)^2/12)
  * makes both right where damping is fast, too: x moves by h F/k_d then, whatever the mass.
  *
+ * Flexible cells may be far too stiff within for such steps: their flight is implicit (mechanics_flight) and holds what
+ * acts within them, the kicks hold what acts from outside, and the step is that of the outside.
+ *
  * A step is refused when it leaves a number that is not finite, or moves a particle by more than half its radius: cells
  * could then pass through each other untouched. It is then halved, and tried at twice its length again later. */
 #include "relax/integrator.h"
@@ -25,7 +28,8 @@ enum { STEPS_BETWEEN_LOOKS = 50, STEPS_TO_RECOVER = 20 };
 
 typedef struct splitting {
     double fixed, most;
-    size_t n; /* 3 x particles */
+    size_t n;    /* 3 x particles */
+    bool chains; /* flexible cells fly on their own */
     bool started;
     double stable;  /* from the stiffness (or as told), s */
     double shorter; /* 1, 1/2, 1/4 ... after refusals */
@@ -43,6 +47,7 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     self->fixed = how->step;
     self->most = how->most;
     self->n = 3 * mo->n;
+    self->chains = mechanics_has_chains(mo->m);
     self->memory = alloc_zeroed(8 * self->n, sizeof *self->memory);
     self->force = self->memory;
     self->trial_force = self->force + self->n;
@@ -69,7 +74,7 @@ static void destroy(void *of) {
 
 static const double *force(const void *of) {
     const splitting *self = of;
-    return self->started ? self->force : NULL;
+    return self->started && !self->chains ? self->force : NULL;
 }
 
 /* Even steps to t1, none longer than the stable one. */
@@ -85,7 +90,7 @@ static bool look(splitting *self, motion *mo, double t1) {
     self->stable = self->fixed;
     double bearable = (double)INFINITY;
     if (self->fixed <= 0) {
-        bearable = motion_stable_step(mechanics_stiffness_from(mo->m, mo->x, self->mode));
+        bearable = motion_stable_step(mechanics_stiffness_outside(mo->m, mo->x, self->mode));
         self->stable = self->most > 0 && self->most < bearable ? self->most : bearable;
     }
     if (!isfinite(self->stable))
@@ -106,6 +111,10 @@ static void prepare_factors(splitting *self, const motion *mo) {
             self->kick[i] = kick;
             self->decay[i] = 1 + loss;
             self->flight[i] = rate > 0 ? -loss / rate : self->h;
+        }
+        for (size_t i = 3 * p; self->chains && i < 3 * p + 3 && mechanics_is_chained(mo->m, p); i++) {
+            self->decay[i] = 1;
+            self->flight[i] = 0;
         }
     }
     self->factors_for = self->h;
@@ -140,9 +149,11 @@ static bool try_verlet(splitting *self, motion *mo) {
         x[i] = x0[i] + flight[i] * kicked;
         v[i] = decay[i] * kicked;
     }
+    if (self->chains)
+        mechanics_flight(mo->m, self->h, self->x, self->v);
     if (!is_sane(self, mo))
         return false;
-    motion_force(mo, self->x, self->trial_force);
+    motion_force_outside(mo, self->x, self->trial_force);
     for (size_t i = 0; i < self->n; i++)
         v[i] += kick[i] * f[i];
     return has_finite_force(self);
@@ -155,9 +166,11 @@ static bool try_euler(splitting *self, motion *mo) {
         self->x[i] = mo->x[i] + self->flight[i] * kicked;
         self->v[i] = self->decay[i] * kicked;
     }
+    if (self->chains)
+        mechanics_flight(mo->m, self->h, self->x, self->v);
     if (!is_sane(self, mo))
         return false;
-    motion_force(mo, self->x, self->trial_force);
+    motion_force_outside(mo, self->x, self->trial_force);
     return has_finite_force(self);
 }
 
@@ -179,7 +192,7 @@ static void accept(splitting *self, motion *mo, double t1) {
 /* A step to begin with; false when there is none. */
 static bool begin(splitting *self, motion *mo, double t1) {
     if (!self->started) {
-        motion_force(mo, mo->x, self->force);
+        motion_force_outside(mo, mo->x, self->force);
         memset(self->mode, 0, self->n * sizeof *self->mode);
         self->shorter = 1;
         self->started = true;

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Implicit Euler for what acts within flexible cells. A cell's bending and twisting may be a million times as stiff as
+ * its contacts; explicit steps would follow modes that are long at rest. Each cell is a problem of its own: with
+ * g = k_d / m and s = x + h v / (1 + g h),
+ *     x' = argmin over X of  sum of m (1 + g h) / (2 h^2) |X - s|^2 + E(X),   v' = (x' - x) / h
+ * whose condition is Newton's law with damping at the end of the step. Newton's method with the Gauss-Newton matrix of
+ * the terms' springs (force_style.stiffness_chain), which is banded, and a line search: every iteration goes downhill,
+ * however far the cell is from rest. Where nothing moves, x' is the exact equilibrium whatever h is.
+ * Source: Hairer & Wanner, Solving Ordinary Differential Equations II, IV; the variational form is Ortiz & Stainier
+ * 1999, Comput. Methods Appl. Mech. Eng. 171:419. */
+#include "mechanics/state.h"
+
+#include "base/alloc.h"
+#include "base/vec3.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Four consecutive particles are the most that a spring touches: 12 coordinates, the diagonal included. */
+enum { BAND = 12, ITERATIONS = 30, HALVINGS = 12 };
+
+/* An iteration that moves no particle by more than this many radii is the last. */
+static const double tolerance = 1e-6;
+
+/* One chain on its way through a step. */
+typedef struct flight {
+    mechanics *m;
+    const chain *c;
+    force_frame at;
+    size_t n;                       /* 3 x particles */
+    const double *aim;              /* s (n) */
+    const double *heavy;            /* m (1 + g h) / h^2 (n) */
+    double *x;                      /* the trial state: rows of the chain in at.x */
+    double *f;                      /* and of the forces there */
+    double *gradient, *move, *from; /* (n) */
+    double *matrix;                 /* (n x BAND): row i holds columns i - BAND + 1 ... i */
+    stiff_list *springs;
+} flight;
+
+static bool is_within(const mechanics *m, int term) {
+    return m->forces.term[term].on && force_styles[term]->caps & FORCE_WITHIN_CHAINS;
+}
+
+/* What is minimised. */
+static double value(const flight *w) {
+    size_t index = (size_t)(w->c - w->m->chains);
+    double sum = 0;
+    for (size_t i = 0; i < w->n; i++)
+        sum += 0.5 * w->heavy[i] * (w->x[i] - w->aim[i]) * (w->x[i] - w->aim[i]);
+    for (int term = 0; term < FORCE_COUNT; term++)
+        if (is_within(w->m, term))
+            sum += force_styles[term]->energy_chain(w->m->forces.term[term].p, &w->at, index);
+    return sum;
+}
+
+static void find_gradient(flight *w, double *forces) {
+    size_t index = (size_t)(w->c - w->m->chains);
+    memset(w->f, 0, w->n * sizeof *w->f);
+    for (int term = 0; term < FORCE_COUNT; term++)
+        if (is_within(w->m, term))
+            force_styles[term]->add_chain(w->m->forces.term[term].p, &w->at, index, index + 1, forces);
+    for (size_t i = 0; i < w->n; i++)
+        w->gradient[i] = w->heavy[i] * (w->x[i] - w->aim[i]) - w->f[i];
+}
+
+static void add_to_matrix(flight *w, const stiff_spring *s) {
+    for (uint32_t a = 0; a < s->count; a++)
+        for (uint32_t b = 0; b <= a; b++) {
+            /* springs list their particles from the first on */
+            size_t row = 3 * (size_t)(s->particle[a] - w->c->first),
+                   column = 3 * (size_t)(s->particle[b] - w->c->first);
+            for (size_t i = 0; i < 3; i++)
+                for (size_t j = 0; j < 3 && column + j <= row + i; j++)
+                    w->matrix[(row + i) * BAND + (column + j + BAND - 1 - row - i)] += s->k * s->g[a][i] * s->g[b][j];
+        }
+}
+
+static void find_matrix(flight *w) {
+    size_t index = (size_t)(w->c - w->m->chains);
+    w->springs->count = 0;
+    for (int term = 0; term < FORCE_COUNT; term++)
+        if (is_within(w->m, term))
+            force_styles[term]->stiffness_chain(w->m->forces.term[term].p, &w->at, index, w->springs);
+    memset(w->matrix, 0, w->n * BAND * sizeof *w->matrix);
+    for (size_t i = 0; i < w->n; i++)
+        w->matrix[i * BAND + BAND - 1] = w->heavy[i];
+    for (size_t i = 0; i < w->springs->count; i++)
+        add_to_matrix(w, &w->springs->list[i]);
+}
+
+/* Cholesky: matrix = L L', in place; then move = -matrix^-1 gradient. Positive definite: heavy is positive. */
+static void solve(flight *w) {
+    for (size_t i = 0; i < w->n; i++) {
+        double *row = w->matrix + i * BAND;
+        size_t first = i < BAND - 1 ? 0 : i - (BAND - 1);
+        double rest = -w->gradient[i];
+        for (size_t j = first; j <= i; j++) {
+            const double *other = w->matrix + j * BAND;
+            double sum = row[j + BAND - 1 - i];
+            for (size_t k = first; k < j; k++)
+                if (k + BAND > j)
+                    sum -= row[k + BAND - 1 - i] * other[k + BAND - 1 - j];
+            row[j + BAND - 1 - i] = j < i ? sum / other[BAND - 1] : sqrt(sum);
+            if (j < i)
+                rest -= row[j + BAND - 1 - i] * w->move[j];
+        }
+        w->move[i] = rest / row[BAND - 1];
+    }
+    for (size_t i = w->n; i-- > 0;) {
+        const double *row = w->matrix + i * BAND;
+        w->move[i] /= row[BAND - 1];
+        size_t first = i < BAND - 1 ? 0 : i - (BAND - 1);
+        for (size_t j = first; j < i; j++)
+            w->move[j] -= row[j + BAND - 1 - i] * w->move[i];
+    }
+}
+
+static double largest_move(const flight *w) {
+    double most = 0;
+    for (size_t i = 0; i < w->n; i += 3)
+        most = fmax(most, vec3_norm(vec3_load(w->move + i)));
+    return most;
+}
+
+/* Goes along `move` as far as that leads downhill enough; the value there. */
+static double descend(flight *w, double before) {
+    double slope = 0, part = 1, after = before;
+    for (size_t i = 0; i < w->n; i++)
+        slope += w->gradient[i] * w->move[i];
+    memcpy(w->from, w->x, w->n * sizeof *w->x);
+    for (int i = 0; i <= HALVINGS; i++, part *= 0.5) {
+        for (size_t j = 0; j < w->n; j++)
+            w->x[j] = w->from[j] + part * w->move[j];
+        after = value(w);
+        if (after <= before + 1e-4 * part * slope)
+            return after;
+    }
+    return after;
+}
+
+static void minimise(flight *w, double *forces) {
+    double now = value(w);
+    for (int i = 0; i < ITERATIONS; i++) {
+        find_gradient(w, forces);
+        find_matrix(w);
+        solve(w);
+        if (largest_move(w) <= tolerance * w->c->radius) {
+            for (size_t j = 0; j < w->n; j++)
+                w->x[j] += w->move[j];
+            return;
+        }
+        now = descend(w, now);
+    }
+}
+
+/* Memory of one thread, for the longest chain. */
+typedef struct workspace {
+    double *memory;
+    stiff_list springs;
+} workspace;
+
+static void fly(mechanics *m, const chain *c, double h, double *trial, double *forces, workspace *space, double *x,
+                double *v) {
+    size_t n = 3 * (size_t)c->count, first = 3 * (size_t)c->first;
+    double *part = space->memory, drag = mechanics_drag(m);
+    flight w = {.m = m,
+                .c = c,
+                .at = state_frame(m, trial, NULL),
+                .n = n,
+                .aim = part,
+                .heavy = part + n,
+                .x = trial + first,
+                .f = forces + first,
+                .gradient = part + 2 * n,
+                .move = part + 3 * n,
+                .from = part + 4 * n,
+                .matrix = part + 5 * n,
+                .springs = &space->springs};
+    for (size_t i = 0; i < n; i++) {
+        double mass = m->mass[c->first + i / 3], slowed = 1 + drag * h / mass;
+        part[i] = x[first + i] + h * v[first + i] / slowed;
+        part[n + i] = mass * slowed / (h * h);
+        w.x[i] = part[i];
+    }
+    minimise(&w, forces);
+    for (size_t i = 0; i < n; i++) {
+        v[first + i] = (w.x[i] - x[first + i]) / h;
+        x[first + i] = w.x[i];
+    }
+}
+
+void mechanics_flight(mechanics *m, double h, double *x, double *v) {
+    size_t longest = 0;
+    for (size_t i = 0; i < m->nchains; i++)
+        longest = m->chains[i].count > longest ? m->chains[i].count : longest;
+    double *trial = alloc_zeroed(3 * m->nparticles, sizeof *trial), *forces = m->scratch;
+#pragma omp parallel num_threads(state_threads(m))
+    {
+        workspace space = {.memory = alloc_zeroed((5 + BAND) * 3 * longest, sizeof(double))};
+#pragma omp for schedule(static)
+        for (size_t i = 0; i < m->nchains; i++)
+            fly(m, &m->chains[i], h, trial, forces, &space, x, v);
+        free(space.memory);
+        free(space.springs.list);
+    }
+    free(trial);
+}
