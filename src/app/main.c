@@ -63,7 +63,7 @@ static int leave_scalars(interp *in) {
     return status;
 }
 
-static int run_all(interp *in, const options *o) {
+static int run_all(program *p, interp *in, const options *o) {
     bool nothing = !o->file && !o->ncommands, terminal = isatty(STDIN_FILENO);
     int status = SARCINA_OK, code = 0;
     if (o->file)
@@ -75,7 +75,7 @@ static int run_all(interp *in, const options *o) {
     if (nothing && !terminal && !o->interactive)
         status = run_pipe(in, o);
     if ((nothing && terminal) || o->interactive)
-        status = repl_run(in);
+        status = repl_run(p, o, in);
     return interp_has_quit(in, &code) && !status ? code : status;
 }
 
@@ -94,7 +94,7 @@ static int run_program(const options *o) {
         status = ensemble_main(&p, o);
     } else {
         interp *in = program_interp(&p, o, &d);
-        status = in ? run_all(in, o) : (int)d.status;
+        status = in ? run_all(&p, in, o) : (int)d.status;
         if (in)
             program_end(&p, in);
         else

@@ -93,6 +93,8 @@ static int take_sweep(options *o, char **words, diag *d) {
 SWITCH(check)
 SWITCH(test)
 SWITCH(interactive)
+SWITCH(noinit)
+SWITCH(skiprun)
 SWITCH(safe)
 SWITCH(version)
 SWITCH(help)
@@ -108,7 +110,8 @@ static const option table[] = {
     {"help", 0, take_help},       {"h", 0, take_help},
     {"v", 2, take_var},           {"replicates", 1, take_replicates},
     {"sweep", 2, take_sweep},     {"workers", 1, take_workers},
-    {"results", 0, take_results},
+    {"results", 0, take_results}, {"noinit", 0, take_noinit},
+    {"skiprun", 0, take_skiprun},
 };
 
 const char *options_help(void) {
@@ -131,7 +134,9 @@ const char *options_help(void) {
            "  -sweep NAME A,B,.. run FILE with each of these texts of a variable; crosses with -replicates and -sweep\n"
            "  -workers N         runs of an ensemble at a time; else as many as cores, or the ranks of mpirun\n"
            "  -results           leave results.csv and scalars.csv, as each run of an ensemble does\n"
-           "  -safe              refuse commands that reach outside, such as shell\n"
+           "  -skiprun           grow and relax nothing: everything else of the script runs, to find its mistakes\n"
+           "  -safe              refuse commands that reach outside, such as shell; read no init.in\n"
+           "  -noinit            at a prompt, do not read $XDG_CONFIG_HOME/sarcina/init.in (~/.config without it)\n"
            "  -version, -help\n"
            "--NAME is the same as -NAME. Exit: 0 done, 1 error in the script, 2 wrong command line, 3 numerical\n"
            "failure, 4 failed expect, 130 interrupted. 'sarcina -e help' lists the commands.\n";

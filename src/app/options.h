@@ -32,7 +32,7 @@ typedef struct options {
     int workers;  /* runs of an ensemble at a time; 0: as many as cores */
     int threads;  /* 0: not given */
     bool results; /* leave results.csv and scalars.csv: this is a run of an ensemble */
-    bool check, test, interactive, safe, version, help;
+    bool check, test, interactive, noinit, skiprun, safe, version, help;
 } options;
 
 /* Fills o from the command line; its lists are freed with options_free. SARCINA_USAGE with an error when the command

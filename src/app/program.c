@@ -13,14 +13,17 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-static volatile sig_atomic_t interrupted;
+static volatile sig_atomic_t interrupted, patient;
 
 static void on_interrupt(int signal_number) {
-    if (interrupted) { /* twice: it is not being looked at */
+    static const char warning[] = "\nthe command has not come to an end yet; Ctrl-C once more ends sarcina\n";
+    if (interrupted > patient) { /* it is not being looked at */
         signal(signal_number, SIG_DFL);
         raise(signal_number);
     }
-    interrupted = 1;
+    if (interrupted && write(STDERR_FILENO, warning, sizeof warning - 1) < 0)
+        signal(signal_number, SIG_DFL);
+    interrupted++;
 }
 
 void program_catch_interrupts(program *p) {
@@ -28,6 +31,14 @@ void program_catch_interrupts(program *p) {
     struct sigaction action = {.sa_handler = on_interrupt};
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, NULL);
+}
+
+void program_be_patient(void) {
+    patient = 1;
+}
+
+bool program_is_interrupted(void) {
+    return interrupted;
 }
 
 void program_clear_interrupt(void) {

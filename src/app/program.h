@@ -29,8 +29,11 @@ void program_end(program *p, const interp *in);
 /* An interpreter with the variables and settings of the command line. */
 interp *program_interp(program *p, const options *o, diag *d);
 
-/* Ctrl-C sets the interrupt flag; a second one before it was looked at ends the program. */
+/* Ctrl-C sets the interrupt flag; a second one before it was looked at ends the program. At a prompt the second only
+ * says that the command has not come to an end yet, and the third ends the program. */
 void program_catch_interrupts(program *p);
+void program_be_patient(void);
+bool program_is_interrupted(void);
 void program_clear_interrupt(void);
 
 /* "sarcina: error: ..." with help, on standard error. */

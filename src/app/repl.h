@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The prompt. An error does not end it; blocks, quotes and `&` are read on until they are whole. */
+/* The prompt. An error does not end it; blocks, quotes and `&` are read on until they are whole. On a terminal GNU
+ * readline edits the line; from a pipe the same lines run the same way, without prompts. */
 #ifndef SARCINA_APP_REPL_H
 #define SARCINA_APP_REPL_H
 
+#include "app/options.h"
+#include "app/program.h"
 #include "script/interp.h"
 
-/* Reads lines from the terminal until quit or the end of the input; returns the exit code. */
-int repl_run(interp *in);
+/* Reads commands from standard input until quit or its end; returns the exit code. */
+int repl_run(program *p, const options *o, interp *in);
 
 #endif

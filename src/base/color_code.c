@@ -16,6 +16,10 @@ static const struct {
     {"olive", 0x8a9a2b}, {"maroon", 0x800000}, {"navy", 0x1f3b73},  {"teal", 0x1b9e77},   {"lime", 0x7fd34e},
 };
 
+const char *color_code_name(size_t i) {
+    return i < TABLE_COUNT(names) ? names[i].name : NULL;
+}
+
 bool color_code_read(const char *text, uint32_t *code) {
     ptrdiff_t row = table_find(names, TABLE_COUNT(names), sizeof names[0], text);
     if (row >= 0) {

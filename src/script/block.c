@@ -170,7 +170,7 @@ static void parse_block(parser *p, block *out, piece *closer) {
         piece line = {0};
         line_notes notes;
         if (line_next(p->script, &p->at, &line, &notes, &d) != SARCINA_OK) {
-            p->open = p->open || p->at >= p->script->n;
+            p->open = p->open || notes.open;
             report(p, &d);
             piece_free(&line);
             continue;

@@ -43,13 +43,14 @@ static size_t line_end(const piece *script, size_t at) {
 }
 
 /* Copies the quoted stretch at s->at; an error leaves s->at behind the line it began in. */
-static int scan_quote(scan *s, size_t quote, piece *line, diag *d) {
+static int scan_quote(scan *s, size_t quote, piece *line, bool *open, diag *d) {
     size_t end = line_quote_end(s->script, s->at, quote), stop = line_end(s->script, s->at);
     if (end == (size_t)-1 || (quote == 1 && end > stop)) {
         diag_error(d, "the quote is not closed");
         diag_place(d, piece_span(s->script, s->at, s->at + quote));
         diag_help(d, quote == 3 ? "\"\"\" closes it" : "only \"\"\" ... \"\"\" goes over several lines");
         s->at = quote == 3 ? s->script->n : stop;
+        *open = quote == 3;
         return SARCINA_ERROR;
     }
     piece_append(line, s->script, s->at, end);
@@ -58,14 +59,14 @@ static int scan_quote(scan *s, size_t quote, piece *line, diag *d) {
 }
 
 /* Copies one physical line without comment and trailing blanks; s->at is then at its end. */
-static int scan_physical(scan *s, piece *line, diag *d) {
+static int scan_physical(scan *s, piece *line, line_notes *notes, diag *d) {
     const char *chars = s->script->chars;
     s->start = s->at;
     s->comment = false;
     while (s->at < s->script->n && chars[s->at] != '\n') {
         size_t quote = line_quote(chars, s->start, s->at);
         if (quote) {
-            if (scan_quote(s, quote, line, d) != SARCINA_OK)
+            if (scan_quote(s, quote, line, &notes->open, d) != SARCINA_OK)
                 return SARCINA_ERROR;
         } else if (chars[s->at] == '#') {
             s->comment = true;
@@ -98,7 +99,7 @@ static int scan_logical(scan *s, piece *line, line_notes *notes, diag *d) {
     bool goes_on = false;
     do {
         size_t from = line->n;
-        if (scan_physical(s, line, d) != SARCINA_OK)
+        if (scan_physical(s, line, notes, d) != SARCINA_OK)
             return SARCINA_ERROR;
         trim_end(line, from);
         bool only_comment = line->n == from && s->comment;

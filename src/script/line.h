@@ -13,6 +13,7 @@
 typedef struct line_notes {
     bool commented; /* a comment stood behind an `&` */
     bool cut;       /* the text ended behind an `&` */
+    bool open;      /* a quote that may go over lines was open at the end of the text */
 } line_notes;
 
 /* Reads the next logical line at *at into line (an empty piece; blank lines are skipped) and moves *at behind it.
