@@ -157,8 +157,8 @@ static void test_blocks(void **state) {
 /* What a prompt must ask to go on. */
 static void test_open(void **state) {
     (void)state;
-    static const char *const open[] = {"if x", "for i in 1..3\nif y\nend", "a &", "\"\"\"a", "\"\"\"a\nb", "'a"};
-    static const char *const whole[] = {"a", "", "if x\nend", "if x then 'a'", "end", "a # b &"};
+    static const char *const open[] = {"if x", "for i in 1..3\nif y\nend", "a &", "\"\"\"a", "\"\"\"a\nb"};
+    static const char *const whole[] = {"a", "", "if x\nend", "if x then 'a'", "end", "a # b &", "'a"};
     for (size_t i = 0; i < sizeof open / sizeof *open; i++)
         if (!block_is_open(open[i]))
             fail_msg("'%s' is open", open[i]);
