@@ -19,7 +19,8 @@ typedef enum {
     RNG_SIZE = 7,      /* size at division of a cell */
     RNG_CONTACT = 8,   /* direction for contacts and springs of length zero; id mixes the two cells */
     RNG_SCRIPT = 9,    /* random(), normal(), poisson() of scripts */
-    RNG_FRAME = 10     /* frame of a coccus that divides along planes, at its first division */
+    RNG_FRAME = 10,    /* frame of a coccus that divides along planes, at its first division */
+    RNG_BRANCH = 11    /* whether a daughter begins a branch */
 } rng_purpose;
 
 typedef struct rng rng;

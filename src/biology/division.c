@@ -6,6 +6,7 @@
 #include "base/alloc.h"
 #include "base/table.h"
 #include "biology/division/rules.h"
+#include "biology/handover.h"
 #include "model/shape.h"
 
 #include <math.h>
@@ -49,6 +50,12 @@ double division_mean_mass(const species *s) {
     if (!isnan(mass->a))
         return spread_mean(mass);
     return mass_of_size(s, spread_mean(size), spread_mean(&s->diameter), spread_mean(&s->aspect));
+}
+
+double division_branch(const species *s) {
+    int style = s->division.style;
+    bool branches = style >= 0 && division_styles[style] == &division_midpoint;
+    return branches ? s->division.values[DIVISION_BRANCH].a : 0;
 }
 
 int division_check(const species *s, diag *d) {
@@ -113,12 +120,15 @@ size_t division_step(const division_context *x) {
     for (size_t i = 0; i < n; i++)
         if (c->cell.mass[order[i]] > c->cell.limit[order[i]])
             mothers[due++] = order[i]; /* rows stay where they are: daughters are appended */
+    handover *links = due ? handover_begin(x) : NULL;
     for (size_t i = 0; i < due; i++) {
         uint32_t mother = mothers[i];
         const species *s = &x->species->list[c->cell.species[mother]];
         uint32_t daughter = add_daughter(x, mother);
         division_styles[s->division.style]->place(x, mother, daughter);
+        handover_divide(links, mother, daughter);
     }
+    handover_end(links);
     free(mothers);
     return due;
 }

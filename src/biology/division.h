@@ -7,12 +7,14 @@
 #include "base/param.h"
 #include "base/rng.h"
 #include "model/colony.h"
+#include "model/link_rules.h"
 #include "model/species.h"
 
 /* What a rule is told of the scene. */
 typedef struct division_context {
     colony *colony;
     const species_table *species;
+    const link_rules *links; /* NULL: no links are made or handed on */
     rng *rng;
     double time;     /* growth time at which the daughters are born, s */
     bool substratum; /* is there a plane, and at which height (um)? */
@@ -38,6 +40,7 @@ enum { DIVISION_COCCI = 1 << SHAPE_COCCUS, DIVISION_RODS = 1 << SHAPE_ROD };
 
 /* Columns of style_choice.values: four that every rule has, then its own. */
 enum { DIVISION_MASS, DIVISION_SIZE, DIVISION_JITTER, DIVISION_AXIS, DIVISION_OWN };
+enum { DIVISION_BRANCH = DIVISION_OWN }; /* of midpoint */
 enum { DIVISION_TRIES = DIVISION_OWN };  /* of random */
 enum { DIVISION_PLANES = DIVISION_OWN }; /* of planes */
 enum { AXIS_AUTO, AXIS_X, AXIS_Y, AXIS_Z };
@@ -47,6 +50,9 @@ double division_limit(const species *s, rng *r, uint64_t id, double diameter, do
 
 /* The species' mean mass at division, for its mean diameter; NaN without a rule. */
 double division_mean_mass(const species *s);
+
+/* Probability that the daughter of a cell linked filially at both ends begins a branch. */
+double division_branch(const species *s);
 
 /* Is the rule possible for the shape: would the daughters of a cell of mean size have a body? */
 int division_check(const species *s, diag *d);

@@ -19,6 +19,7 @@
     X(division)                                                                                                        \
     X(force)                                                                                                           \
     X(link)                                                                                                            \
+    X(link_between)                                                                                                    \
     X(region)                                                                                                          \
     X(create_cells)                                                                                                    \
     X(delete_cells)                                                                                                    \

@@ -34,6 +34,7 @@ static int read_placement(interp *in, const args *a, placement *p, diag *d) {
     *p = (placement){.species = args_row(a, "NAME"),
                      .gap = args_given(a, "gap") ? args_number(a, "gap") : (double)NAN,
                      .overlap = args_flag(a, "overlap"),
+                     .filament = (int)args_int(a, "filament"),
                      .maxtry = (int)args_int(a, "maxtry")};
     p->orient = args_orient(a, "orient", p->axis);
     return read_mass(interp_scene(in), a, p->species, &p->mass, d);
@@ -99,6 +100,7 @@ static int run_file(interp *in, const args *a, diag *d) {
     {"orient=random:orient", "axis: a letter, in the plane (xy), drawn (random), or three numbers"},                   \
         {"mass=50%:mass%~(0,1e-9kg)", "of each cell; a percent is of the mass at division"},                           \
         {"gap:length", "height of the lowest surface above the substratum; takes the place of z"},                     \
+        {"filament=1:int[1,100000]", "this many cells in a row, linked filially, in the place of each"},               \
         {"overlap=no:flag", "may it overlap what is there?"}, {                                                        \
         "maxtry=1000:int[1,1000000000]", "places drawn for a cell before giving up"                                    \
     }
@@ -116,14 +118,16 @@ static const param file_params[] = {
 
 static const command_form forms[] = {
     {"create_cells NAME:species single X:length Y:length Z:length", single_params, TABLE_COUNT(single_params),
-     "One cell at a place", NULL, "create_cells ecoli single 5um 0 0 orient xy gap 0 mass 86.5% overlap no maxtry 10",
+     "One cell at a place", NULL,
+     "link filial ecoli k 5e-13N/m break 1um\n"
+     "create_cells ecoli single 0 5um 0 orient x gap 0 mass 86.5% filament 5 overlap no maxtry 10",
      0, run_single, NULL, 0},
     {"create_cells NAME:species random N:int[1,) REGION:region", random_params, TABLE_COUNT(random_params),
      "Cells at random places in a region", "All of them or none: when there is no room the scene is as before.",
-     "create_cells ecoli random 3 box orient random mass uniform 50% 100% gap 0 overlap no maxtry 500", 0, run_random,
-     NULL, 0},
+     "create_cells ecoli random 3 box orient random mass uniform 50% 100% gap 0 filament 1 overlap no maxtry 500", 0,
+     run_random, NULL, 0},
     {"create_cells NAME:species file FILE:file", file_params, TABLE_COUNT(file_params), "Cells from a CSV file", NULL,
-     "create_cells ecoli file cells.csv orient y mass 60% gap 0 overlap yes maxtry 1", 0, run_file, NULL, 0},
+     "create_cells ecoli file cells.csv orient y mass 60% gap 0 filament 1 overlap yes maxtry 1", 0, run_file, NULL, 0},
 };
 
 void command_create_cells(command_table *t) {

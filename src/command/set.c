@@ -90,6 +90,7 @@ static int apply(interp *in, const args *a, const bool *flags, const double *si,
     for (uint32_t i = 0; i < s->colony->cell.count && !status; i++)
         if (flags[i])
             set_value(s, key, i, dim_to_engine(si[i] * scale, wanted));
+    scene_refresh_links(s); /* rest lengths follow sizes */
     s->colony->version++;
     return status;
 }

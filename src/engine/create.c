@@ -6,6 +6,7 @@
 #include "base/vec3.h"
 #include "biology/division.h"
 #include "model/axis.h"
+#include "model/link.h"
 
 #include <gsl/gsl_randist.h>
 #include <math.h>
@@ -14,11 +15,12 @@
 /* What is there before: to go back to when not all can be placed. */
 typedef struct mark {
     size_t cells;
-    uint64_t next_id;
+    uint64_t next_id, next_link, formed;
 } mark;
 
 static mark set_mark(const scene *s) {
-    return (mark){s->colony->cell.count, s->colony->next_cell_id};
+    const colony *c = s->colony;
+    return (mark){c->cell.count, c->next_cell_id, c->next_link_id, c->links_formed};
 }
 
 static void return_to(scene *s, mark m) {
@@ -27,6 +29,8 @@ static void return_to(scene *s, mark m) {
         rows[i] = i;
     colony_arrange(s->colony, rows, m.cells);
     s->colony->next_cell_id = m.next_id;
+    s->colony->next_link_id = m.next_link;
+    s->colony->links_formed = m.formed;
     free(rows);
 }
 
@@ -78,25 +82,81 @@ static uint32_t add_cell(scene *s, int species_row, double mass, double diameter
     return row;
 }
 
-/* Puts the cell's particles on a line through its centre; then `gap` above the substratum, where that is asked for. */
-static void put_cell(scene *s, uint32_t row, const double centre[3], vec3 axis, double gap) {
-    colony *c = s->colony;
+/* Puts the cell's particles on a line through its centre. */
+static void put_cell(colony *c, uint32_t row, vec3 centre, vec3 axis) {
     uint32_t n = c->cell.nparticles[row];
-    double *x = c->particle.x + 3 * (size_t)c->cell.first[row], lowest = INFINITY;
+    double *x = c->particle.x + 3 * (size_t)c->cell.first[row];
     for (uint32_t i = 0; i < n; i++) {
         double at = n > 1 ? c->cell.rest[row] * ((double)i / (n - 1) - 0.5) : 0;
-        vec3_store(x + 3 * (size_t)i, vec3_axpy(vec3_load(centre), at, axis));
-        lowest = fmin(lowest, x[3 * (size_t)i + 2]);
+        vec3_store(x + 3 * (size_t)i, vec3_axpy(centre, at, axis));
     }
-    if (isnan(gap))
-        return;
-    double shift = s->forces.term[FORCE_SUBSTRATUM].p[SUBSTRATUM_Z] + gap + 0.5 * c->cell.diameter[row] - lowest;
-    for (uint32_t i = 0; i < n; i++)
-        x[3 * (size_t)i + 2] += shift;
-    /* a flat cell lies exactly flat: the shift must not leave a rounding error for the daughters to inherit */
-    if (axis.z == 0)
-        for (uint32_t i = 1; i < n; i++)
-            x[3 * (size_t)i + 2] = x[2];
+}
+
+/* What is created as one: a cell, or a filament of them; rows first ... first + n - 1. */
+typedef struct new_group {
+    uint32_t first, n;
+} new_group;
+
+/* Appends the cells of a group; the first has this mass and diameter (NaN: drawn), the others draw theirs. */
+static new_group add_group(scene *s, const placement *p, int species_row, double mass, double diameter) {
+    new_group g = {add_cell(s, species_row, mass, diameter), p->filament > 1 ? (uint32_t)p->filament : 1};
+    for (uint32_t i = 1; i < g.n; i++) {
+        gsl_rng *stream = rng_stream(s->rng, RNG_CREATE, s->colony->next_cell_id, 0);
+        add_cell(s, species_row, draw_mass(p, stream), NAN);
+    }
+    return g;
+}
+
+static const link_rule *filial_rule(const scene *s, int species_row) {
+    return link_rules_find(&s->links, LINK_FILIAL, species_row, species_row);
+}
+
+/* Between the facing ends of a cell and the next in a filament: where their filial link is at rest as a whole. */
+static double joint_length(const scene *s, uint32_t row) {
+    const colony *c = s->colony;
+    const link_rule *rule = filial_rule(s, c->cell.species[row]);
+    double mean = 0.5 * (c->cell.diameter[row] + c->cell.diameter[row + 1]);
+    if (c->cell.nparticles[row] == 1)
+        return rule->p[FILIAL_RATIO] * mean;
+    return 0.5 * (rule->p[FILIAL_SHORT] + rule->p[FILIAL_LONG]) * mean;
+}
+
+/* Shifts the group so that its lowest surface is `gap` above the substratum. */
+static void lift_group(const scene *s, new_group g, bool flat, double gap) {
+    const colony *c = s->colony;
+    double shift = -INFINITY, level = s->forces.term[FORCE_SUBSTRATUM].p[SUBSTRATUM_Z] + gap;
+    uint32_t begin = c->cell.first[g.first], end = begin;
+    for (uint32_t row = g.first; row < g.first + g.n; row++)
+        for (uint32_t i = 0; i < c->cell.nparticles[row]; i++)
+            shift = fmax(shift, level + 0.5 * c->cell.diameter[row] - c->particle.x[3 * (size_t)end++ + 2]);
+    for (uint32_t i = begin; i < end; i++)
+        c->particle.x[3 * (size_t)i + 2] += shift;
+    /* what is flat lies exactly flat: the shift must not leave a rounding error for the daughters to inherit */
+    for (uint32_t i = begin + 1; i < end && flat; i++)
+        c->particle.x[3 * (size_t)i + 2] = c->particle.x[3 * (size_t)begin + 2];
+}
+
+/* Puts the group's cells in a row around a centre; then `gap` above the substratum, where that is asked for. */
+static void put_group(scene *s, new_group g, const double centre[3], vec3 axis, double gap) {
+    colony *c = s->colony;
+    double length = 0, at = 0;
+    for (uint32_t row = g.first; row < g.first + g.n; row++)
+        length += c->cell.rest[row] + (row + 1 < g.first + g.n ? joint_length(s, row) : 0);
+    for (uint32_t row = g.first; row < g.first + g.n; row++) {
+        vec3 place = vec3_load(centre);
+        if (g.n > 1)
+            place = vec3_axpy(place, at + 0.5 * c->cell.rest[row] - 0.5 * length, axis);
+        put_cell(c, row, place, axis);
+        at += c->cell.rest[row] + (row + 1 < g.first + g.n ? joint_length(s, row) : 0);
+    }
+    if (!isnan(gap))
+        lift_group(s, g, axis.z == 0, gap);
+}
+
+static void link_group(scene *s, new_group g) {
+    for (uint32_t row = g.first; row + 1 < g.first + g.n; row++)
+        link_add_filial(s->colony, filial_rule(s, s->colony->cell.species[row]), LINK_STRAIGHT, row + 1, LINK_FIRST_END,
+                        row, LINK_LAST_END, s->time);
 }
 
 /* Smallest box around a cell's particles, grown by `margin`. */
@@ -127,6 +187,23 @@ static bool has_room(const colony *c, uint32_t row, size_t n) {
     return true;
 }
 
+/* The same of every cell of a group. */
+static bool group_has_room(const colony *c, new_group g, size_t n) {
+    for (uint32_t row = g.first; row < g.first + g.n; row++)
+        if (!has_room(c, row, n))
+            return false;
+    return true;
+}
+
+/* Cells in a row need what holds them together. */
+static int check_filament(const scene *s, const placement *p, int species_row, diag *d) {
+    if (p->filament <= 1 || filial_rule(s, species_row))
+        return SARCINA_OK;
+    const char *name = s->species.list[species_row].name;
+    diag_error(d, "a filament is linked filially, and species %s has no such link", name);
+    return diag_help(d, "link filial %s k 2e-11N/m break 2um", name);
+}
+
 static int check_placement(const scene *s, const placement *p, diag *d) {
     if (!isnan(p->gap) && !s->forces.term[FORCE_SUBSTRATUM].on) {
         diag_error(d, "gap needs a substratum to be measured from");
@@ -134,12 +211,11 @@ static int check_placement(const scene *s, const placement *p, diag *d) {
     }
     if (p->orient == ORIENT_VECTOR && !(vec3_norm(vec3_load(p->axis)) > 0))
         return diag_error(d, "orient 0 0 0 is no direction");
-    return SARCINA_OK;
+    return check_filament(s, p, p->species, d);
 }
 
-static int no_room(const scene *s, mark m, size_t wanted, int tries, diag *d) {
-    diag_error(d, "no room for cell %zu of %zu after %d tries; none was created", s->colony->cell.count - m.cells,
-               wanted, tries);
+static int no_room(size_t which, size_t wanted, int tries, diag *d) {
+    diag_error(d, "no room for cell %zu of %zu after %d tries; none was created", which, wanted, tries);
     return diag_help(d, "take a larger region, a larger maxtry, or 'overlap yes'");
 }
 
@@ -150,14 +226,15 @@ int scene_create_single(scene *s, const placement *p, const double centre[3], si
     mark m = set_mark(s);
     gsl_rng *stream = rng_stream(s->rng, RNG_CREATE, m.next_id, 0);
     vec3 axis = draw_axis(p, stream);
-    uint32_t row = add_cell(s, p->species, draw_mass(p, stream), NAN);
-    put_cell(s, row, centre, axis, p->gap);
-    if (!p->overlap && !has_room(s->colony, row, m.cells)) {
+    new_group g = add_group(s, p, p->species, draw_mass(p, stream), NAN);
+    put_group(s, g, centre, axis, p->gap);
+    if (!p->overlap && !group_has_room(s->colony, g, m.cells)) {
         return_to(s, m);
         diag_error(d, "the new cell would overlap one that is there");
         return diag_help(d, "move it, or write 'overlap yes'");
     }
-    *created = 1;
+    link_group(s, g);
+    *created = g.n;
     return SARCINA_OK;
 }
 
@@ -174,27 +251,29 @@ int scene_create_random(scene *s, const placement *p, size_t n, const region *wh
     for (size_t i = 0; i < n; i++) {
         gsl_rng *stream = rng_stream(s->rng, RNG_CREATE, s->colony->next_cell_id, 0);
         double mass = draw_mass(p, stream);
-        uint32_t row = add_cell(s, p->species, mass, NAN);
+        new_group g = add_group(s, p, p->species, mass, NAN);
         bool room = false;
-        /* add_cell has drawn from other streams: open this one again behind the mass */
-        stream = rng_stream(s->rng, RNG_CREATE, s->colony->cell.id[row], 1);
+        /* add_group has drawn from other streams: open this one again behind the mass */
+        stream = rng_stream(s->rng, RNG_CREATE, s->colony->cell.id[g.first], 1);
         for (int k = 0; k < p->maxtry && !room; k++) {
             region_draw(where, stream, point);
-            put_cell(s, row, point, draw_axis(p, stream), p->gap);
-            room = p->overlap || has_room(s->colony, row, row);
+            put_group(s, g, point, draw_axis(p, stream), p->gap);
+            room = p->overlap || group_has_room(s->colony, g, g.first);
         }
         if (!room) {
-            status = no_room(s, m, n, p->maxtry, d);
             return_to(s, m);
-            return status;
+            return no_room(i + 1, n, p->maxtry, d);
         }
+        link_group(s, g);
     }
-    *created = n;
+    *created = s->colony->cell.count - m.cells;
     return SARCINA_OK;
 }
 
 int scene_create_rows(scene *s, const placement *p, const cell_row *rows, size_t n, size_t *created, diag *d) {
     int status = check_placement(s, p, d);
+    for (size_t i = 0; i < n && !status; i++)
+        status = check_filament(s, p, rows[i].species, d);
     if (status)
         return status;
     mark m = set_mark(s);
@@ -204,14 +283,15 @@ int scene_create_rows(scene *s, const placement *p, const cell_row *rows, size_t
         double length = vec3_norm(axis);
         axis = length > 0 ? vec3_scale(1 / length, axis) : draw_axis(p, stream);
         double mass = rows[i].mass > 0 ? rows[i].mass : draw_mass(p, stream);
-        uint32_t row = add_cell(s, rows[i].species, mass, rows[i].diameter);
-        put_cell(s, row, rows[i].centre, axis, p->gap);
-        if (!p->overlap && !has_room(s->colony, row, row)) {
+        new_group g = add_group(s, p, rows[i].species, mass, rows[i].diameter);
+        put_group(s, g, rows[i].centre, axis, p->gap);
+        if (!p->overlap && !group_has_room(s->colony, g, g.first)) {
             return_to(s, m);
             diag_error(d, "cell %zu of %zu would overlap another; none was created", i + 1, n);
             return diag_help(d, "write 'overlap yes' to allow it");
         }
+        link_group(s, g);
     }
-    *created = n;
+    *created = s->colony->cell.count - m.cells;
     return SARCINA_OK;
 }

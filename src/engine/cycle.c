@@ -32,11 +32,13 @@ int scene_grow(scene *s, double dt, diag *d) {
     t = clock_stage(&s->timing.grow, t);
     const division_context x = {.colony = s->colony,
                                 .species = &s->species,
+                                .links = &s->links,
                                 .rng = s->rng,
                                 .time = s->time,
                                 .substratum = s->forces.term[FORCE_SUBSTRATUM].on,
                                 .substratum_z = s->forces.term[FORCE_SUBSTRATUM].p[SUBSTRATUM_Z]};
     division_step(&x);
+    scene_refresh_links(s);
     s->colony->version++; /* masses and rest lengths have changed */
     clock_stage(&s->timing.divide, t);
     return SARCINA_OK;

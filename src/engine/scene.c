@@ -4,6 +4,8 @@
 #include "analysis/view_cache.h"
 #include "base/alloc.h"
 #include "biology/division.h"
+#include "mechanics/remodel.h"
+#include "model/link.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,6 +19,7 @@ static void set_defaults(scene *s) {
             s->accuracy = (int)i;
     s->relax = accuracy_presets[s->accuracy].settings;
     memset(&s->forces, 0, sizeof s->forces);
+    link_rules_clear(&s->links);
     memset(&s->timing, 0, sizeof s->timing);
     s->tally = (scene_tally){.least_step = INFINITY};
     s->step = s->growth_steps = s->deletions = 0;
@@ -44,6 +47,7 @@ void scene_free(scene *s) {
     view_cache_free(s->cache);
     free(s->species.list);
     free(s->regions.list);
+    link_rules_free(&s->links);
     free(s);
 }
 
@@ -58,6 +62,8 @@ int scene_prepare(scene *s, diag *d) {
     const mechanics_input in = {.colony = s->colony,
                                 .species = &s->species,
                                 .forces = &s->forces,
+                                .links = &s->links,
+                                .time = s->time,
                                 .neighbor = s->neighbor,
                                 .seed = rng_get_seed(s->rng),
                                 .threads = s->threads};
@@ -99,6 +105,8 @@ view scene_view(scene *s) {
                   .time = s->time,
                   .relaxed = s->relaxed,
                   .wall = s->timing.total,
+                  .links_formed = s->colony->links_formed,
+                  .links_broken = s->colony->links_broken,
                   .cache = s->cache};
 }
 
@@ -123,4 +131,19 @@ void scene_refresh_species(scene *s, int row) {
         c->cell.limit[i] = division_limit(sp, s->rng, c->cell.id[i], c->cell.diameter[i], c->cell.aspect[i]);
     }
     c->version++; /* masses and sizes are not what caches of the mechanics hold */
+    scene_refresh_links(s);
+}
+
+void scene_refresh_links(scene *s) {
+    link_renew(s->colony, &s->links);
+}
+
+int scene_stick(scene *s, size_t *formed, diag *d) {
+    remodel_change change;
+    int status = scene_prepare(s, d);
+    if (status)
+        return status;
+    mechanics_remodel_stick(s->mechanics, &change);
+    *formed = change.formed;
+    return SARCINA_OK;
 }

@@ -11,6 +11,7 @@
 #include "base/rng.h"
 #include "mechanics/mechanics.h"
 #include "model/colony.h"
+#include "model/link_rules.h"
 #include "model/region.h"
 #include "model/species.h"
 #include "relax/relax.h"
@@ -35,6 +36,7 @@ typedef struct scene {
     colony *colony;
     species_table species;
     region_table regions;
+    link_rules links;
     force_set forces;
     neighbor_settings neighbor;
     relax_settings relax;
@@ -85,6 +87,12 @@ int scene_cycle(scene *s, double dt, double relax_time, double relax_force, diag
 /* After a change of a species' shape, density or rules: sizes and division limits of its cells follow. */
 void scene_refresh_species(scene *s, int row);
 
+/* After a change of rules for links, or of sizes: stiffness and rest lengths of the links follow. */
+void scene_refresh_links(scene *s);
+
+/* Sticks, at once, the cells that are near enough to do so; *formed: how many links. */
+int scene_stick(scene *s, size_t *formed, diag *d);
+
 /* Where and how new cells are put. */
 typedef enum { ORIENT_X, ORIENT_Y, ORIENT_Z, ORIENT_XY, ORIENT_RANDOM, ORIENT_VECTOR } orient_kind;
 
@@ -95,6 +103,7 @@ typedef struct placement {
     spread mass;    /* pg */
     double gap;     /* lowest surface this far above the substratum, um; NaN: the given z counts */
     bool overlap;   /* may it overlap what is there (and what is created with it)? */
+    int filament;   /* a straight chain of this many cells, linked filially, takes the place of each; 0, 1: one */
     int maxtry;     /* draws of a place before giving up */
 } placement;
 

@@ -52,17 +52,19 @@ static int save_column(void *self, const char *table, const char *column, void *
 /* Doubles as hexadecimal: text that reads back to the bit. */
 #define CLOCK_FORMAT                                                                                                   \
     "step %" PRIu64 " growth_steps %" PRIu64 " deletions %" PRIu64 " time %a relaxed %a seed %" PRIu64                 \
-    " next_cell %" PRIu64 " next_link %" PRIu64 " particles %zu cells %zu links %zu springs %zu"
+    " next_cell %" PRIu64 " next_link %" PRIu64 " formed %" PRIu64 " broken %" PRIu64                                  \
+    " particles %zu cells %zu links %zu springs %zu"
 #define CLOCK_SCAN                                                                                                     \
     "step %" SCNu64 " growth_steps %" SCNu64 " deletions %" SCNu64 " time %la relaxed %la seed %" SCNu64               \
-    " next_cell %" SCNu64 " next_link %" SCNu64 " particles %zu cells %zu links %zu springs %zu"
-enum { CLOCK_ITEMS = 12 };
+    " next_cell %" SCNu64 " next_link %" SCNu64 " formed %" SCNu64 " broken %" SCNu64                                  \
+    " particles %zu cells %zu links %zu springs %zu"
+enum { CLOCK_ITEMS = 14 };
 
 void snapshot_save(scene *s, archive *a) {
     colony *c = s->colony;
     char *clock = alloc_format(CLOCK_FORMAT, s->step, s->growth_steps, s->deletions, s->time, s->relaxed,
-                               rng_get_seed(s->rng), c->next_cell_id, c->next_link_id, c->particle.count, c->cell.count,
-                               c->link.count, c->spring.count);
+                               rng_get_seed(s->rng), c->next_cell_id, c->next_link_id, c->links_formed, c->links_broken,
+                               c->particle.count, c->cell.count, c->link.count, c->spring.count);
     archive_put(a, "clock", clock, strlen(clock));
     free(clock);
     colony_walk(c, save_column, a);
@@ -100,12 +102,12 @@ static bool is_consistent(const colony *c, size_t nspecies) {
 }
 
 int snapshot_load(scene *s, const archive *a, diag *d) {
-    uint64_t step, growth_steps, deletions, seed, next_cell, next_link;
+    uint64_t step, growth_steps, deletions, seed, next_cell, next_link, formed, broken;
     double time, relaxed;
     size_t particles, cells, links, springs;
     const char *clock = archive_get(a, "clock", NULL);
     if (!clock || sscanf(clock, CLOCK_SCAN, &step, &growth_steps, &deletions, &time, &relaxed, &seed, &next_cell,
-                         &next_link, &particles, &cells, &links, &springs) != CLOCK_ITEMS)
+                         &next_link, &formed, &broken, &particles, &cells, &links, &springs) != CLOCK_ITEMS)
         return diag_error(d, "the restart file has no state");
     colony *c = colony_create();
     colony_resize(c, particles, cells, links, springs);
@@ -115,6 +117,8 @@ int snapshot_load(scene *s, const archive *a, diag *d) {
     }
     c->next_cell_id = next_cell;
     c->next_link_id = next_link;
+    c->links_formed = formed;
+    c->links_broken = broken;
     colony_copy(s->colony, c);
     colony_free(c);
     s->step = step;

@@ -78,6 +78,7 @@ static void build(mechanics *m, const double *x) {
     m->neighbor.method = m->settings.method;
     m->neighbor.skin = m->skin;
     m->neighbor.chained = m->nchains > 0;
+    m->neighbor.margin = m->margin;
     sort_bodies(m, x);
     neighbor_build(&m->neighbor, m->bodies, m->capsules, m->reach, state_threads(m), m->kernel);
     for (size_t slot = 0; slot < m->nbodies; slot++) {

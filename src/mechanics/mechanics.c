@@ -39,6 +39,14 @@ void mechanics_free(mechanics *m) {
     free(m);
 }
 
+/* Anchors need something to hold on to. */
+static int check_links(const mechanics_input *in, diag *d) {
+    if (!in->links || in->forces->term[FORCE_SUBSTRATUM].on || !link_rules_any(in->links, LINK_ANCHOR))
+        return SARCINA_OK;
+    diag_error(d, "link anchor holds cells to a substratum, and the scene has none");
+    return diag_help(d, "substratum plane z 0 k 1e-10N/m");
+}
+
 int mechanics_check(const mechanics_input *in, diag *d) {
     const force_scene scene = {in->colony, in->species, in->forces};
     /* a rod without its spring is found by the term that is off for want of it */
@@ -50,7 +58,7 @@ int mechanics_check(const mechanics_input *in, diag *d) {
         if (status)
             return status;
     }
-    return SARCINA_OK;
+    return check_links(in, d);
 }
 
 static void image_add(state_image *image, const void *data, size_t bytes) {
@@ -67,6 +75,7 @@ static void take_image(state_image *image, const mechanics_input *in) {
     image->count = 0;
     image_add(image, &in->colony, sizeof(void *));
     image_add(image, &c->version, sizeof c->version);
+    image_add(image, &in->links, sizeof in->links);
     image_add(image, &in->seed, sizeof in->seed);
     image_add(image, &in->neighbor.skin, sizeof in->neighbor.skin);
     image_add(image, &in->neighbor.method, sizeof in->neighbor.method);
@@ -217,6 +226,30 @@ static double choose_skin(const mechanics *m) {
     return m->nbodies ? 0.4 * sum / (double)m->nbodies : 0;
 }
 
+/* Which links may form: between species that have cells here. */
+static void bind_rules(mechanics *m) {
+    m->sticks = m->anchors = false;
+    m->margin = 0;
+    m->breaks = m->colony->link.count > 0;
+    if (!m->rules || m->ncells == 0)
+        return;
+    size_t n = m->species->count;
+    bool *present = alloc_zeroed(n, sizeof *present);
+    for (size_t i = 0; i < m->ncells; i++)
+        present[m->colony->cell.species[i]] = true;
+    for (int a = 0; a < (int)n; a++) {
+        m->anchors = m->anchors || (present[a] && link_rules_find(m->rules, LINK_ANCHOR, a, a));
+        for (int b = 0; b <= a && present[a]; b++) {
+            const link_rule *rule = present[b] ? link_rules_find(m->rules, LINK_STICK, a, b) : NULL;
+            if (!rule)
+                continue;
+            m->sticks = true;
+            m->margin = fmax(m->margin, rule->p[STICK_FORM]);
+        }
+    }
+    free(present);
+}
+
 static void bind(mechanics *m, const mechanics_input *in) {
     m->colony = in->colony;
     m->species = in->species;
@@ -245,6 +278,7 @@ static void bind(mechanics *m, const mechanics_input *in) {
     m->forces.term[FORCE_SPRINGS].on = in->colony->spring.count > 0;
     if (m->forces.term[FORCE_SPRINGS].on)
         spring_index_build(&m->springs, in->colony, m->owner, m->bodies);
+    bind_rules(m);
 
     /* the regularised law reaches a little further than the axes' distance says */
     const force_settings *collision = &m->forces.term[FORCE_COLLISION];
@@ -265,6 +299,8 @@ int mechanics_prepare(mechanics *m, const mechanics_input *in, diag *d) {
         return status;
     }
     m->threads = in->threads > 0 ? in->threads : 1;
+    m->rules = in->links;
+    m->time = in->time;
     if (!is_unchanged(m, in))
         bind(m, in);
     m->bound = true;

@@ -9,6 +9,7 @@
 #include "base/diag.h"
 #include "mechanics/force.h"
 #include "model/colony.h"
+#include "model/link_rules.h"
 #include "model/species.h"
 
 typedef enum { NEIGHBOR_CELLS, NEIGHBOR_PAIRS } neighbor_method;
@@ -26,7 +27,9 @@ typedef struct mechanics_input {
     neighbor_settings neighbor;
     uint64_t seed;
     int threads;
-    bool lenient; /* bind to look, not to move: terms that lack what they need are no error */
+    const link_rules *links; /* by which links form and break; NULL: they stay as they are */
+    double time;             /* growth time, s: that of links which form */
+    bool lenient;            /* bind to look, not to move: terms that lack what they need are no error */
 } mechanics_input;
 
 typedef struct mechanics mechanics;

@@ -213,9 +213,10 @@ void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules,
     if (!list->listed)
         return;
     bool all = list->method == NEIGHBOR_PAIRS;
+    const double beyond = list->margin + list->skin + slack;
     threads = all ? 1 : threads;
     if (!all)
-        grid_build(&list->grid, capsules, reach, list->skin + slack);
+        grid_build(&list->grid, capsules, reach, beyond);
     gatherer *parts = alloc_aligned((size_t)threads, sizeof *parts, _Alignof(gatherer));
     memset(parts, 0, (size_t)threads * sizeof *parts);
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
@@ -226,7 +227,7 @@ void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules,
         w->capsules = capsules;
         w->kernel = kernel;
         w->law = (contact_law_values){1, reach, 0};
-        w->skin = list->skin + slack;
+        w->skin = beyond;
         if (all)
             gather_all(w, list->n);
         else

@@ -20,9 +20,10 @@ typedef struct neighbor_row {
 
 typedef struct neighbor {
     neighbor_method method;
-    double skin;  /* um */
-    bool chained; /* some bodies are segments of chains: those that are joined (body_is_joined) are no pair */
-    bool listed;  /* the rows are written down; else they are of all pairs */
+    double skin;   /* um */
+    double margin; /* rows hold pairs this much further apart, um */
+    bool chained;  /* some bodies are segments of chains: those that are joined (body_is_joined) are no pair */
+    bool listed;   /* the rows are written down; else they are of all pairs */
     size_t n;
     /* entries, row after row (start[n]), in the order of the partners' ids: the slots of a pair, that of lower id
      * first; one of them is the row's owner, and NEIGHBOR_OWN marks first where it is that one. */
@@ -39,8 +40,8 @@ void neighbor_free(neighbor *list);
 /* Puts n bodies into an order in which those near in space are near in memory: order (n) gets their indices. */
 void neighbor_sort(neighbor *list, const capsule *capsules, size_t n, uint32_t *order);
 
-/* Builds the rows for all pairs whose segments are nearer than reach (r_A + r_B) + skin. The bodies and capsules (n)
- * stand in the order that the last neighbor_sort gave. */
+/* Builds the rows for all pairs whose segments are nearer than reach (r_A + r_B) + margin + skin. The bodies and
+ * capsules (n) stand in the order that the last neighbor_sort gave. */
 void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules, double reach, int threads,
                     const contact_kernel *kernel);
 

@@ -36,11 +36,16 @@ struct mechanics {
     bool ordered;          /* rows stand in that order */
     double *mass, *radius; /* (nparticles) */
     spring_index springs;
-    double touch;     /* cells within touch (r_A + r_B) count as contacts */
-    double reach;     /* pairs within reach (r_A + r_B) may touch */
-    double skin;      /* um */
-    bool wants_pairs; /* a term reads the neighbour list */
-    bool cocci;       /* no body has more than one particle */
+    const link_rules *rules; /* NULL: links stay as they are */
+    double time;             /* growth time, s */
+    bool sticks, anchors;    /* such links may form */
+    bool breaks;             /* there are links, which may break */
+    double margin;           /* the list reaches this much further than contacts do, um: where cells stick */
+    double touch;            /* cells within touch (r_A + r_B) count as contacts */
+    double reach;            /* pairs within reach (r_A + r_B) may touch */
+    double skin;             /* um */
+    bool wants_pairs;        /* a term reads the neighbour list */
+    bool cocci;              /* no body has more than one particle */
 
     /* computed by evaluations */
     capsule *capsules; /* (nbodies), by slot */

@@ -50,11 +50,23 @@ double axis_cell_point_distance(const colony *c, uint32_t cell, const double p[3
     return least;
 }
 
-double axis_cell_distance(const colony *c, uint32_t cell, uint32_t other) {
+double axis_cell_nearest(const colony *c, uint32_t cell, uint32_t other, uint32_t *segment, uint32_t *other_segment) {
     double least = INFINITY;
+    *segment = *other_segment = 0;
     for (uint32_t i = 0; i < segments(c, cell); i++)
-        for (uint32_t j = 0; j < segments(c, other); j++)
-            least = fmin(least, axis_segment_distance(particle(c, cell, i), segment_end(c, cell, i),
-                                                      particle(c, other, j), segment_end(c, other, j)));
+        for (uint32_t j = 0; j < segments(c, other); j++) {
+            double distance = axis_segment_distance(particle(c, cell, i), segment_end(c, cell, i),
+                                                    particle(c, other, j), segment_end(c, other, j));
+            if (distance >= least)
+                continue;
+            least = distance;
+            *segment = i;
+            *other_segment = j;
+        }
     return least;
+}
+
+double axis_cell_distance(const colony *c, uint32_t cell, uint32_t other) {
+    uint32_t i, j;
+    return axis_cell_nearest(c, cell, other, &i, &j);
 }

@@ -16,4 +16,7 @@ double axis_segment_distance(const double a0[3], const double a1[3], const doubl
 double axis_cell_point_distance(const colony *c, uint32_t cell, const double p[3]);
 double axis_cell_distance(const colony *c, uint32_t cell, uint32_t other);
 
+/* The same, and which segments of the two are nearest: segment i joins particles i and i + 1 (a coccus has one, 0). */
+double axis_cell_nearest(const colony *c, uint32_t cell, uint32_t other, uint32_t *segment, uint32_t *other_segment);
+
 #endif

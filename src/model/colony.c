@@ -89,12 +89,13 @@ static void set_count(colony *c, int table, size_t rows) {
         }
     head->count = rows;
     c->version++;
+    c->cell_version += table == CELLS;
 }
 
 colony *colony_create(void) {
     colony *c = alloc_zeroed(1, sizeof *c);
     c->next_cell_id = c->next_link_id = 1;
-    c->version = 1;
+    c->version = c->cell_version = 1;
     return c;
 }
 
@@ -112,6 +113,7 @@ void colony_clear(colony *c) {
     for (int t = 0; t < TABLES; t++)
         set_count(c, t, 0);
     c->next_cell_id = c->next_link_id = 1;
+    c->links_formed = c->links_broken = 0;
 }
 
 void colony_resize(colony *c, size_t particles, size_t cells, size_t links, size_t springs) {
@@ -130,12 +132,24 @@ void colony_copy(colony *to, const colony *from) {
     }
     to->next_cell_id = from->next_cell_id;
     to->next_link_id = from->next_link_id;
+    to->links_formed = from->links_formed;
+    to->links_broken = from->links_broken;
+}
+
+/* The order of ids stays known: the new cell's is the highest. */
+static void append_order(colony *c, uint32_t row) {
+    c->order = alloc_grow(c->order, &c->order_capacity, (size_t)row + 1, sizeof *c->order);
+    c->order[row] = row;
+    c->order_version = c->cell_version;
 }
 
 uint32_t colony_add_cell(colony *c, size_t n, const double *x) {
     uint32_t row = (uint32_t)c->cell.count, first = (uint32_t)c->particle.count;
+    bool ordered = c->order_version == c->cell_version;
     set_count(c, CELLS, row + 1);
     set_count(c, PARTICLES, first + n);
+    if (ordered)
+        append_order(c, row);
     c->cell.id[row] = c->next_cell_id++;
     c->cell.first[row] = first;
     c->cell.nparticles[row] = (uint32_t)n;
@@ -172,6 +186,7 @@ static void take_rows(colony *c, int table, const uint32_t *rows, size_t n) {
     free(scratch);
     head->count = n;
     c->version++;
+    c->cell_version += table == CELLS;
 }
 
 static bool is_id_dropped(const uint64_t *dropped, size_t n, uint64_t id) {
@@ -292,11 +307,11 @@ static void sort_by_id(const uint64_t *ids, size_t n, uint32_t *rows) {
 }
 
 const uint32_t *colony_by_id(colony *c) {
-    if (c->order_version == c->version)
+    if (c->order_version == c->cell_version)
         return c->order;
     c->order = alloc_grow(c->order, &c->order_capacity, c->cell.count, sizeof *c->order);
     sort_by_id(c->cell.id, c->cell.count, c->order);
-    c->order_version = c->version;
+    c->order_version = c->cell_version;
     return c->order;
 }
 

@@ -55,7 +55,9 @@ typedef struct colony {
     link_columns link;
     spring_columns spring;
     uint64_t next_cell_id, next_link_id; /* from 1 */
-    uint64_t version; /* changes with every insertion, deletion and reordering: caches of rows compare it */
+    uint64_t links_formed, links_broken; /* since the beginning: at division or by nearness; by stretching */
+    uint64_t version;      /* changes with every insertion, deletion and reordering: caches of rows compare it */
+    uint64_t cell_version; /* the same of cells alone */
     /* rows in the order of their ids; see colony_by_id */
     uint32_t *order;
     size_t order_capacity;

@@ -25,8 +25,11 @@ typedef struct integrator_style {
     int (*step)(void *self, motion *mo, double t1, diag *d);
     /* Undamped forces (n x 3) at the present state where it has them, NULL where not; optional. */
     const double *(*force)(const void *self);
-    /* Forgets its history: after division or a link change, and between segments. */
+    /* Forgets its history, the step included: between segments. */
     void (*reset)(void *self);
+    /* Links have changed: the forces at the present state are not what they were. Keeps the step; stiffness (1/s2): a
+     * bound on what the new ones add to the largest squared eigenfrequency. */
+    void (*renew)(void *self, double stiffness);
     void (*destroy)(void *self);
 } integrator_style;
 

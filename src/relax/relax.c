@@ -3,6 +3,7 @@
 #include "relax/relax.h"
 
 #include "base/alloc.h"
+#include "mechanics/remodel.h"
 #include "relax/integrator.h"
 
 #include <math.h>
@@ -23,11 +24,11 @@ static double largest_force(motion *mo, const double *known, double *scratch) {
     return sqrt(most);
 }
 
-/* End of the segment the time is in; a remainder of rounding belongs to the last. */
-static double segment_end(const motion *mo, double segment, double end) {
-    if (segment <= 0)
+/* Next multiple of a period after the present time, at most `end`; a remainder of rounding belongs to the last. */
+static double next_multiple(const motion *mo, double period, double end) {
+    if (period <= 0)
         return end;
-    double next = segment * (floor(mo->time / segment * (1 + 1e-12)) + 1);
+    double next = period * (floor(mo->time / period * (1 + 1e-12)) + 1);
     return next < end * (1 - 1e-9) ? next : end;
 }
 
@@ -39,6 +40,8 @@ typedef struct run {
     const relax_goal *goal;
     relax_result *result;
     double *scratch; /* (n x 3), with a goal of force only */
+    bool remodels;   /* links may form or break */
+    double every;    /* how often, s; 0: after every accepted step */
 } run;
 
 /* Whether to stop before the next step, and why. */
@@ -57,16 +60,31 @@ static bool is_over(run *r) {
     return r->mo.time >= r->goal->time;
 }
 
+/* Lets links form and break, at fixed times so that what forms does not depend on the integrator's steps. */
+static void remodel(run *r) {
+    remodel_change change;
+    if (mechanics_remodel(r->mo.m, &change))
+        r->style->renew(r->method, change.stiffness);
+}
+
 static int advance(run *r, diag *d) {
-    double end = segment_end(&r->mo, r->how->segment, r->goal->time);
+    double end = next_multiple(&r->mo, r->how->segment, r->goal->time);
+    double due = r->remodels ? next_multiple(&r->mo, r->every, r->goal->time) : r->goal->time;
+    if (r->remodels)
+        remodel(r);
     while (!is_over(r)) {
         if (r->mo.time >= end) {
             r->style->reset(r->method);
-            end = segment_end(&r->mo, r->how->segment, r->goal->time);
+            end = next_multiple(&r->mo, r->how->segment, r->goal->time);
         }
-        int status = r->style->step(r->method, &r->mo, end, d);
+        /* times that only rounding parts are one */
+        int status = r->style->step(r->method, &r->mo, due < end * (1 - 1e-9) ? due : end, d);
         if (status)
             return status;
+        if (r->remodels && (r->every <= 0 || r->mo.time >= due * (1 - 1e-9))) {
+            remodel(r);
+            due = next_multiple(&r->mo, r->every, r->goal->time);
+        }
     }
     return SARCINA_OK;
 }
@@ -88,6 +106,8 @@ int relax_run(mechanics *m, const relax_settings *how, const relax_goal *goal, r
              .goal = goal,
              .result = result ? result : &unused};
     *r.result = (relax_result){0};
+    r.remodels = mechanics_remodels(m);
+    r.every = mechanics_remodel_every(m);
     mechanics_state(m, &r.mo.x, &r.mo.v);
     if (r.mo.n == 0) {
         r.result->time = goal->time;

@@ -58,7 +58,8 @@ static void discard(culture *k) {
 }
 
 static size_t divide(culture *k) {
-    const division_context x = {k->c, &k->t, k->r, k->time, k->substratum, 0};
+    const division_context x = {
+        .colony = k->c, .species = &k->t, .rng = k->r, .time = k->time, .substratum = k->substratum};
     return division_step(&x);
 }
 

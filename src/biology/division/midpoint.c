@@ -43,6 +43,7 @@ static const param params[] = {
     {"mass:mass~!1(0,1e-9kg)", "mass above which a cell divides"},
     {"length:length~!1(0,1mm)", "or its total length"},
     RULES_JITTER_PARAMS,
+    {"branch=0:fraction%[0,1]", "of divisions of cells linked filially at both ends: the daughter begins a branch"},
 };
 
 const division_style division_midpoint = {
@@ -50,7 +51,7 @@ const division_style division_midpoint = {
     .head = "midpoint",
     .summary = "a rod divides in the middle",
     .source = "Storck et al. 2014, growth and division",
-    .example = "division ecoli midpoint mass 2.45e-15kg jitter 10nm axis auto\n"
+    .example = "division ecoli midpoint mass 2.45e-15kg jitter 10nm axis auto branch 30%\n"
                "division ecoli midpoint length 5um sd 10%",
     .shapes = DIVISION_RODS,
     .params = params,

@@ -37,7 +37,8 @@ typedef struct embedded {
     const tableau *table;
     double tolerance, most, fixed, h;
     size_t n;                              /* 3 x particles */
-    bool started;                          /* h and the first stage hold */
+    bool started;                          /* h holds */
+    bool stale;                            /* the first stage does not */
     double *v[STAGES_MAX], *a[STAGES_MAX]; /* derivatives of x and v at the stages (n each) */
     double *trial;                         /* (4 n): x, v and their errors */
     double *memory;
@@ -65,6 +66,13 @@ static void reset(void *of) {
     self->started = false;
 }
 
+/* The error of the steps to come finds a step that the new forces bear. */
+static void renew(void *of, double stiffness) {
+    (void)stiffness;
+    embedded *self = of;
+    self->stale = true;
+}
+
 static void destroy(void *of) {
     embedded *self = of;
     free(self->memory);
@@ -82,9 +90,14 @@ static void combine(size_t n, const double *base, double h, const double *weight
     }
 }
 
-static void start(embedded *self, motion *mo) {
+static void compute_first_stage(embedded *self, motion *mo) {
     memcpy(self->v[0], mo->v, self->n * sizeof(double));
     motion_accelerate(mo, mo->x, mo->v, self->a[0]);
+    self->stale = false;
+}
+
+static void start(embedded *self, motion *mo) {
+    compute_first_stage(self, mo);
     self->h = self->fixed > 0 ? self->fixed
                               : control_first_step(mo, self->a[0], self->tolerance, self->style->order, self->trial);
     self->started = true;
@@ -125,6 +138,8 @@ static int step(void *of, motion *mo, double t1, diag *d) {
     embedded *self = of;
     if (!self->started)
         start(self, mo);
+    else if (self->stale)
+        compute_first_stage(self, mo);
     for (;;) {
         bool last;
         double h = control_cut(mo, self->h, self->most, t1, &last);
@@ -144,7 +159,7 @@ static int step(void *of, motion *mo, double t1, diag *d) {
     }
 }
 
-#define EMBEDDED_FUNCTIONS .create = create, .step = step, .reset = reset, .destroy = destroy
+#define EMBEDDED_FUNCTIONS .create = create, .step = step, .reset = reset, .renew = renew, .destroy = destroy
 
 const integrator_style integrator_dopri5 = {
     .name = "dopri5",

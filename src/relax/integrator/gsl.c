@@ -16,8 +16,8 @@ typedef struct stepper {
     const integrator_style *style;
     gsl_odeiv2_step *gsl;
     double tolerance, most, fixed, h;
-    size_t n; /* 3 x particles */
-    bool started;
+    size_t n;                                                  /* 3 x particles */
+    bool started, stale;                                       /* h holds; the slope does not */
     double *y, *error, *slope, *next_slope, *scratch, *memory; /* (x, v) and the like (2 n each); scratch (4 n) */
 } stepper;
 
@@ -43,6 +43,14 @@ static void reset(void *of) {
     stepper *self = of;
     gsl_odeiv2_step_reset(self->gsl);
     self->started = false;
+}
+
+/* The error of the steps to come finds a step that the new forces bear; rk4, which has none, looks at the stiffness. */
+static void renew(void *of, double stiffness) {
+    stepper *self = of;
+    gsl_odeiv2_step_reset(self->gsl);
+    self->stale = true;
+    self->started = self->started && (stiffness == 0 || self->style->caps & INTEGRATOR_ADAPTIVE);
 }
 
 static void destroy(void *of) {
@@ -92,7 +100,10 @@ static int step(void *of, motion *mo, double t1, diag *d) {
         slope_of(mo->time, self->y, self->slope, mo);
         self->h = first_step(self, mo);
         self->started = true;
+    } else if (self->stale) {
+        slope_of(mo->time, self->y, self->slope, mo);
     }
+    self->stale = false;
     bool controlled = self->fixed <= 0 && self->style->caps & INTEGRATOR_ADAPTIVE;
     for (;;) {
         bool last;
@@ -115,7 +126,7 @@ static int step(void *of, motion *mo, double t1, diag *d) {
     }
 }
 
-#define STEPPER_FUNCTIONS .create = create, .step = step, .reset = reset, .destroy = destroy
+#define STEPPER_FUNCTIONS .create = create, .step = step, .reset = reset, .renew = renew, .destroy = destroy
 
 const integrator_style integrator_rk4 = {
     .name = "rk4",

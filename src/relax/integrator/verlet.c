@@ -31,6 +31,7 @@ typedef struct splitting {
     size_t n;    /* 3 x particles */
     bool chains; /* flexible cells fly on their own */
     bool started;
+    bool stale;     /* the force is that of links as they were */
     double stable;  /* from the stiffness (or as told), s */
     double shorter; /* 1, 1/2, 1/4 ... after refusals */
     double h;       /* the step: divides the time left evenly */
@@ -66,6 +67,16 @@ static void reset(void *of) {
     self->started = false;
 }
 
+/* Links that are soft beside what is there wait for the next look at the stiffness. */
+static void renew(void *of, double stiffness) {
+    static const double matters = 0.1;
+    splitting *self = of;
+    double omega = 1.4 / self->stable;
+    self->stale = true;
+    if (stiffness > matters * omega * omega)
+        self->since_look = STEPS_BETWEEN_LOOKS;
+}
+
 static void destroy(void *of) {
     splitting *self = of;
     free(self->memory);
@@ -74,7 +85,7 @@ static void destroy(void *of) {
 
 static const double *force(const void *of) {
     const splitting *self = of;
-    return self->started && !self->chains ? self->force : NULL;
+    return self->started && !self->stale && !self->chains ? self->force : NULL;
 }
 
 /* Even steps to t1, none longer than the stable one. */
@@ -196,8 +207,12 @@ static bool begin(splitting *self, motion *mo, double t1) {
         memset(self->mode, 0, self->n * sizeof *self->mode);
         self->shorter = 1;
         self->started = true;
+        self->stale = false;
         return look(self, mo, t1);
     }
+    if (self->stale)
+        motion_force_outside(mo, mo->x, self->force);
+    self->stale = false;
     if (self->fixed <= 0 && self->since_look >= STEPS_BETWEEN_LOOKS)
         return look(self, mo, t1);
     if (self->left == 0)
@@ -241,6 +256,7 @@ const integrator_style integrator_verlet = {
     .step = step_verlet,
     .force = force,
     .reset = reset,
+    .renew = renew,
     .destroy = destroy,
 };
 
@@ -254,5 +270,6 @@ const integrator_style integrator_euler = {
     .step = step_euler,
     .force = force,
     .reset = reset,
+    .renew = renew,
     .destroy = destroy,
 };
