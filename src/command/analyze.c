@@ -279,7 +279,7 @@ static const name_class analysis_class = {"analysis",     "an analysis", false, 
 
 static const param style_params[] = {
     {"ID:+analysis", "its name, a value from here on"},
-    {"GROUP:group", "the cells: all, a species, a region"},
+    {"GROUP:group", "the cells: all, a species, a region, a group"},
     {"STYLE:analysis0", "what is measured"},
     {"every:cycles[1,)", "cycles, or a time, between rows of the file; 1"},
     {"file:file", "a CSV file for step, time, the value and its fields, in SI units"},
@@ -291,7 +291,7 @@ static const param first_params[] = {
     {"keep:value...", "values to keep at that moment"},
 };
 static const param now_params[] = {
-    {"GROUP:group", "the cells: all, a species, a region"},
+    {"GROUP:group", "the cells: all, a species, a region, a group"},
     {"STYLE:analysis0", "what is measured"},
 };
 static const param off_params[] = {{"ID:analysis", "the analysis to forget"}};

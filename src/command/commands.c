@@ -22,6 +22,8 @@ static void free_session(void *client) {
     outputs_free(s->out);
     free(s->restart.files[0]);
     free(s->restart.files[1]);
+    session_drop_groups(s);
+    free(s->dynamic);
     free(s);
 }
 

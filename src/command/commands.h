@@ -21,6 +21,7 @@
     X(link)                                                                                                            \
     X(link_between)                                                                                                    \
     X(region)                                                                                                          \
+    X(group)                                                                                                           \
     X(create_cells)                                                                                                    \
     X(delete_cells)                                                                                                    \
     X(set)                                                                                                             \

@@ -70,7 +70,7 @@ static int run_delete(interp *in, const args *a, diag *d) {
 }
 
 static const param params[] = {
-    {"GROUP:group", "of these: all, a species, a region"},
+    {"GROUP:group", "of these: all, a species, a region, a group"},
     {"where:cellexpr", "only those for which this holds"},
     {"probability=1:fraction%[0,1]", "each with this probability"},
     {"fraction=1:fraction%[0,1]", "this part of them, to the nearest whole number"},

@@ -317,7 +317,7 @@ static const char *get_dump(interp *in, size_t i) {
 static const name_class dump_class = {"dump", "a dump", true, false, count_dumps, get_dump, NULL, NULL};
 
 #define DUMP_GROUP                                                                                                     \
-    { "GROUP:group", "the cells: all, a species, a region" }
+    { "GROUP:group", "the cells: all, a species, a region, a group" }
 #define DUMP_FILE                                                                                                      \
     { "FILE:file", "where to; * is the step" }
 #define DUMP_PLACES                                                                                                    \

@@ -95,22 +95,10 @@ void outputs_free(outputs *o) {
 
 /* ---- groups ----------------------------------------------------------------------------------------------------- */
 
-/* Row of a group in its class: all, then species, then regions. */
-static int find_group(interp *in, const char *name) {
-    const scene *s = interp_scene(in);
-    int row = species_find(&s->species, name);
-    if (strcmp(name, "all") == 0 || row >= 0)
-        return row + 1;
-    row = region_find(&s->regions, name);
-    return row < 0 ? -1 : 1 + (int)s->species.count + row;
-}
-
 int output_list_members(interp *in, const char *group, bool **flags, diag *d) {
-    int row = find_group(in, group);
+    int row = session_find_group(in, group);
     *flags = NULL;
-    if (row < 0)
-        return diag_error(d, "there is no group '%s' any more", group);
-    if (row == 0)
+    if (row <= 0) /* all: session_check_unused keeps what output looks at */
         return SARCINA_OK;
     *flags = alloc_zeroed(interp_scene(in)->colony->cell.count, sizeof **flags);
     int status = session_members(in, row, *flags, d);

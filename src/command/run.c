@@ -21,7 +21,7 @@ typedef struct plan {
 static int read_cycle(session *s, const args *a, plan *p, diag *d) {
     bool has_grow = args_given(a, "grow"), has_relax = args_given(a, "relax");
     if (!has_grow && !has_relax) {
-        if (isnan(s->grow_time)) {
+        if (isnan(s->grow_time) && !interp_has_open_world(s->in)) {
             diag_error(d, "run needs grow or relax: nothing is remembered from a run before");
             return diag_help(d, "run 70 grow 4min relax 1s");
         }

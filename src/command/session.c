@@ -33,6 +33,7 @@ void session_clear(interp *in) {
     run_report_end_loop(in, &s->report);
     scene_clear(interp_scene(in));
     outputs_clear(s->out);
+    session_drop_groups(s);
     interp_journal_clear(in);
     for (int i = 0; i < 2; i++) {
         free(s->restart.files[i]);
@@ -100,8 +101,11 @@ static int replay_journal(interp *in, const archive *a, diag *d) {
 static int unpack(interp *in, const archive *a, diag *d) {
     session *s = session_of(in);
     session_clear(in);
-    int status = replay_journal(in, a, d);
     const char *variables = archive_get(a, "variables", NULL), *run = archive_get(a, "run", NULL);
+    /* declarations may name variables: all are there before, and have their values after */
+    int status = variables ? interp_variables_load(in, variables, d) : SARCINA_OK;
+    if (!status)
+        status = replay_journal(in, a, d);
     if (!status && variables)
         status = interp_variables_load(in, variables, d);
     if (!status && run)

@@ -16,6 +16,12 @@ typedef struct restart_schedule {
     unsigned turn;
 } restart_schedule;
 
+/* A group whose test is made anew at every look. */
+typedef struct dynamic_group {
+    char *name;
+    expr *test;
+} dynamic_group;
+
 typedef struct session {
     interp *in;
     outputs *out;
@@ -25,6 +31,10 @@ typedef struct session {
     double grow_time;   /* s */
     double relax_time;  /* s; 0: no relaxation */
     double relax_force; /* 1e-21 N; 0: by time */
+    dynamic_group *dynamic;
+    size_t ndynamic, dynamic_capacity;
+    int group_depth;    /* of dynamic groups that are being looked at within others */
+    bool told_replaced; /* that a group was replaced, not added to */
 } session;
 
 session *session_of(interp *in);
@@ -34,6 +44,18 @@ int session_members(interp *in, int group, bool *flags, diag *d);
 
 /* The same on a view that stands already; i: row as in the class. */
 int session_group_members(interp *in, size_t i, const view *v, bool *flags, diag *d);
+
+/* Row of a group (all, a species, a region, one of its own) in the class "group"; -1: there is none. */
+int session_find_group(interp *in, const char *name);
+
+/* The bit of a group that cells can be put into, made where there is none; a dynamic one of that name goes. */
+int session_define_group(interp *in, const char *name, int *bit, diag *d);
+
+/* An error when something that stands still uses this region or group. */
+int session_check_unused(interp *in, const char *noun, const char *name, diag *d);
+
+/* Takes out the dynamic groups. */
+void session_drop_groups(session *s);
 
 /* All that a restart file holds: journal, variables, state, where outputs stand. */
 int session_save(interp *in, const char *path, diag *d);

@@ -116,7 +116,7 @@ static int run_set(interp *in, const args *a, diag *d) {
 }
 
 static const param params[] = {
-    {"GROUP:group", "of these: all, a species, a region"},
+    {"GROUP:group", "of these: all, a species, a region, a group"},
     {"KEY:{x|y|z|vx|vy|vz|mass|diameter|generation}", "what is set; x, y, z move the cell's centre"},
     {"VALUE:cell", "a formula per cell, one word"},
     {"where:cellexpr", "only those for which this holds"},

@@ -238,13 +238,19 @@ int scene_create_single(scene *s, const placement *p, const double centre[3], si
     return SARCINA_OK;
 }
 
+int scene_check_region(const region *where, diag *d) {
+    const char *why = region_unbounded(where);
+    if (!why)
+        return SARCINA_OK;
+    diag_error(d, "region %s has no bounds to draw places from: %s", where->name, why);
+    return diag_help(d, "give it finite ends, and side in");
+}
+
 int scene_create_random(scene *s, const placement *p, size_t n, const region *where, size_t *created, diag *d) {
     int status = check_placement(s, p, d);
     double point[3];
-    if (!status && !region_draw(where, rng_stream(s->rng, RNG_CREATE, 0, 0), point)) {
-        diag_error(d, "region %s has no finite volume to draw places from", where->name);
-        status = diag_help(d, "give a block finite ends, and side in");
-    }
+    if (!status)
+        status = scene_check_region(where, d);
     if (status)
         return status;
     mark m = set_mark(s);

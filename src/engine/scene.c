@@ -55,6 +55,7 @@ void scene_clear(scene *s) {
     colony_clear(s->colony);
     s->species.count = 0;
     s->regions.count = 0;
+    memset(&s->groups, 0, sizeof s->groups);
     set_defaults(s);
 }
 

@@ -11,6 +11,7 @@
 #include "base/rng.h"
 #include "mechanics/mechanics.h"
 #include "model/colony.h"
+#include "model/group.h"
 #include "model/link_rules.h"
 #include "model/region.h"
 #include "model/species.h"
@@ -37,6 +38,7 @@ typedef struct scene {
     species_table species;
     region_table regions;
     link_rules links;
+    group_table groups;
     force_set forces;
     neighbor_settings neighbor;
     relax_settings relax;
@@ -113,6 +115,9 @@ typedef struct cell_row {
     double centre[3], axis[3];
     double mass, diameter;
 } cell_row;
+
+/* An error when places cannot be drawn from a region: it has no bounds. */
+int scene_check_region(const region *where, diag *d);
 
 /* All of them or none. *created: how many. */
 int scene_create_single(scene *s, const placement *p, const double centre[3], size_t *created, diag *d);

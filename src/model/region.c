@@ -28,40 +28,80 @@ void region_remove(region_table *t, int row) {
     t->count--;
 }
 
-static bool is_inside(const region *r, const double x[3]) {
-    if (r->kind == REGION_SPHERE) {
-        double d[3] = {x[0] - r->p[0], x[1] - r->p[1], x[2] - r->p[2]};
-        return d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= r->p[3] * r->p[3];
-    }
+/* The two coordinates across a cylinder's axis. */
+static const int across[3][2] = {{1, 2}, {0, 2}, {0, 1}};
+
+static bool is_in_block(const region *r, const double x[3]) {
     for (int i = 0; i < 3; i++)
         if (x[i] < r->p[2 * i] || x[i] > r->p[2 * i + 1])
             return false;
     return true;
 }
 
+static bool is_in_cylinder(const region *r, const double x[3]) {
+    double a = x[across[r->axis][0]] - r->p[0], b = x[across[r->axis][1]] - r->p[1];
+    return a * a + b * b <= r->p[2] * r->p[2] && x[r->axis] >= r->p[3] && x[r->axis] <= r->p[4];
+}
+
+static bool is_inside(const region *r, const double x[3]) {
+    double d[3] = {x[0] - r->p[0], x[1] - r->p[1], x[2] - r->p[2]};
+    switch (r->kind) {
+    case REGION_BLOCK:
+        return is_in_block(r, x);
+    case REGION_SPHERE:
+        return d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= r->p[3] * r->p[3];
+    case REGION_CYLINDER:
+        return is_in_cylinder(r, x);
+    case REGION_PLANE:
+        break;
+    }
+    return d[0] * r->p[3] + d[1] * r->p[4] + d[2] * r->p[5] >= 0;
+}
+
 bool region_contains(const region *r, const double x[3]) {
     return is_inside(r, x) != r->outside;
 }
 
-bool region_draw(const region *r, gsl_rng *stream, double x[3]) {
+const char *region_unbounded(const region *r) {
+    static const char *const open[] = {"it has no end along x", "it has no end along y", "it has no end along z"};
     if (r->outside)
-        return false;
+        return "it is everything outside of something (side out)";
+    if (r->kind == REGION_PLANE)
+        return "it is half of space";
+    if (r->kind == REGION_CYLINDER && !(isfinite(r->p[3]) && isfinite(r->p[4])))
+        return open[r->axis];
+    for (int i = 0; i < 3 && r->kind == REGION_BLOCK; i++)
+        if (!isfinite(r->p[2 * i]) || !isfinite(r->p[2 * i + 1]))
+            return open[i];
+    return NULL;
+}
+
+/* A point uniform in the ball of radius 1 in n dimensions, by rejection: no library function of the processor's
+ * choosing is in the way of equal bits. */
+static void draw_unit_ball(gsl_rng *stream, int n, double u[3]) {
+    double square;
+    do {
+        square = 0;
+        for (int i = 0; i < n; i++) {
+            u[i] = gsl_ran_flat(stream, -1, 1);
+            square += u[i] * u[i];
+        }
+    } while (square > 1);
+}
+
+void region_draw(const region *r, gsl_rng *stream, double x[3]) {
+    double u[3];
     if (r->kind == REGION_SPHERE) {
-        /* by rejection: no library function of the processor's choosing is in the way of equal bits */
-        double u[3], square;
-        do {
-            for (int i = 0; i < 3; i++)
-                u[i] = gsl_ran_flat(stream, -1, 1);
-            square = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
-        } while (square > 1);
+        draw_unit_ball(stream, 3, u);
         for (int i = 0; i < 3; i++)
             x[i] = r->p[i] + r->p[3] * u[i];
-        return true;
+    } else if (r->kind == REGION_CYLINDER) {
+        draw_unit_ball(stream, 2, u);
+        for (int i = 0; i < 2; i++)
+            x[across[r->axis][i]] = r->p[i] + r->p[2] * u[i];
+        x[r->axis] = gsl_ran_flat(stream, r->p[3], r->p[4]);
+    } else {
+        for (int i = 0; i < 3; i++)
+            x[i] = gsl_ran_flat(stream, r->p[2 * i], r->p[2 * i + 1]);
     }
-    for (int i = 0; i < 3; i++)
-        if (!isfinite(r->p[2 * i]) || !isfinite(r->p[2 * i + 1]))
-            return false;
-    for (int i = 0; i < 3; i++)
-        x[i] = gsl_ran_flat(stream, r->p[2 * i], r->p[2 * i + 1]);
-    return true;
 }

@@ -4,6 +4,7 @@
 
 #include "base/alloc.h"
 #include "base/table.h"
+#include "script/foreign.h"
 #include "script/names.h"
 #include "script/state.h"
 
@@ -50,6 +51,10 @@ static int by_name(const void *a, const void *b) {
 }
 
 static int refuse_form(const candidates *before, size_t i, reader *r, const word *w, diag *d) {
+    if (foreign_explain_form(r->text.chars, d)) {
+        diag_place(d, reader_word_span(r, w));
+        return SARCINA_ERROR;
+    }
     name_list l = {0};
     char all[512] = "";
     for (size_t k = 0; k < before->n; k++)

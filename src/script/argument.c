@@ -106,7 +106,11 @@ static int read_analysis(const slot *s, const word *w, diag *d) {
 
 /* A name that is defined here. */
 static int read_new(args *a, const slot *s, const word *w, diag *d) {
-    const name_class *c = names_class(a->in, s->kind_name);
+    /* where other names stand for one too (groups), those that can be defined are a class of their own */
+    char own[sizeof s->kind_name + 1];
+    snprintf(own, sizeof own, "+%s", s->kind_name);
+    const name_class *c = names_class(a->in, own);
+    c = c ? c : names_class(a->in, s->kind_name);
     if (w->unknown) {
         a->nameless = true;
         return SARCINA_OK;
@@ -127,7 +131,7 @@ static int read_name(args *a, const slot *s, const word *w, argument *out, diag 
     if (out->all || w->unknown)
         return SARCINA_OK;
     if (strcmp(s->kind_name, "variable") == 0) {
-        if (variables_find(&a->in->variables, w->text))
+        if (variables_find(&a->in->variables, w->text) || a->in->replaying)
             return SARCINA_OK;
         return names_is_doubtful(a->in, w->text) ? SARCINA_OK : diag_error(d, "no variable '%s'", w->text);
     }
@@ -179,6 +183,17 @@ static int check_condition(const slot *s, const expr *e, diag *d) {
     return SARCINA_ERROR;
 }
 
+/* A test of cells is true or false; a length is not. */
+static int check_truth(const slot *s, const expr *e, const expr_type *type, diag *d) {
+    char name[48];
+    if (type->wild || (!type->is_text && dim_is_none(type->d)))
+        return SARCINA_OK;
+    diag_error(d, "%s takes a truth per cell, not a %s", s->name, type->is_text ? "text" : dim_name(type->d, name));
+    diag_help(d, "compare it: z > 1um, species == 'ff'");
+    diag_place(d, e->at);
+    return SARCINA_ERROR;
+}
+
 static int read_expr(args *a, const slot *s, argument *out, reader *r, diag *d) {
     bool oneword = s->kind == SLOT_VALUE || s->kind == SLOT_CELL || s->kind == SLOT_CELLCOLOR;
     bool per_cell = s->kind == SLOT_CELL || s->kind == SLOT_CELLEXPR || s->kind == SLOT_CELLCOLOR;
@@ -192,6 +207,8 @@ static int read_expr(args *a, const slot *s, argument *out, reader *r, diag *d) 
         return SARCINA_ERROR;
     expr_type type;
     int status = expr_check(a->in, e, per_cell, column || strcmp(s->name, "until") == 0, &type, d);
+    if (!status && s->kind == SLOT_CELLEXPR)
+        status = check_truth(s, e, &type, d);
     if (!status)
         status = check_condition(s, e, d);
     if (!status && oneword && r->at < reader_end(r) && !line_is_blank(r->text.chars[r->at])) {

@@ -95,8 +95,9 @@ bool execute_is_command(const interp *in, const char *name) {
 }
 
 static void keep_journal(interp *in, const reader *r) {
-    in->journal = alloc_grow(in->journal, &in->journal_capacity, in->njournal + 1, sizeof *in->journal);
-    in->journal[in->njournal++] = reader_text(r);
+    char *text = reader_text(r);
+    interp_journal_add(in, text);
+    free(text);
 }
 
 /* Warnings under `warn error` are errors of the command that gave them. */

@@ -114,6 +114,11 @@ int interp_cells(interp *in, expr *e, double *si, dim *dimension, diag *d) {
     return status;
 }
 
+int interp_check_repeatable(interp *in, const expr *e, diag *d) {
+    expr_type type;
+    return expr_check(in, e, true, true, &type, d);
+}
+
 int interp_flags(interp *in, expr *e, bool *flags, diag *d) {
     size_t n = in->scene->colony->cell.count;
     double *si = alloc_zeroed(n, sizeof *si);

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "script/foreign.h"
 
+#include "base/alloc.h"
 #include "base/table.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const struct {
@@ -49,4 +52,93 @@ bool foreign_explain(const char *name, diag *d) {
         return true;
     }
     return false;
+}
+
+/* ---- LAMMPS's styles of group ----------------------------------------------------------------------------------- */
+
+enum { WORDS_MAX = 32, TEST_MAX = 400 };
+
+typedef struct test {
+    char text[TEST_MAX];
+    size_t n;
+} test;
+
+/* Appends a, between, b; before them, unless they are the first, `before`. */
+static void put(test *t, const char *before, const char *a, const char *between, const char *b) {
+    if (t->n < TEST_MAX)
+        t->n += (size_t)snprintf(t->text + t->n, TEST_MAX - t->n, "%s%s%s%s", t->n ? before : "", a, between, b);
+}
+
+/* 7, 1:10 or 1:10:3 of `id` and `type`; a species is known by its name here. */
+static void put_id(test *t, const char *key, char *word) {
+    char *colon = strchr(word, ':');
+    if (!colon) {
+        bool number = word[strspn(word, "0123456789")] == '\0';
+        put(t, " || ", number ? key : word, number ? " == " : "", number ? word : "");
+        return;
+    }
+    *colon = '\0';
+    char *to = colon + 1, *range = alloc_format("(%s >= %s && ", key, word);
+    to[strcspn(to, ":")] = '\0';
+    put(t, " || ", range, key, " <= ");
+    put(t, "", to, ")", "");
+    free(range);
+}
+
+/* type|id LOGICAL N, or a list of them. */
+static void put_ids(test *t, const char *key, char **words, size_t n) {
+    if (n >= 2 && strchr("<>=!", *words[0])) {
+        bool between = strcmp(words[0], "<>") == 0 && n >= 3;
+        put(t, "", key, between ? " >= " : words[0], words[1]);
+        if (between)
+            put(t, " && ", key, " <= ", words[2]);
+        return;
+    }
+    for (size_t i = 0; i < n; i++)
+        put_id(t, key, words[i]);
+}
+
+static bool translate(const char *style, char **words, size_t n, test *t) {
+    static const struct {
+        const char *style, *between;
+    } joins[] = {{"union", " || "}, {"intersect", " && "}, {"subtract", " && !"}, {"region", " || "}};
+    for (size_t k = 0; k < TABLE_COUNT(joins); k++)
+        if (strcmp(style, joins[k].style) == 0) {
+            for (size_t i = 0; i < n; i++)
+                put(t, joins[k].between, words[i], "", "");
+            return true;
+        }
+    bool type = strcmp(style, "type") == 0, id = strcmp(style, "id") == 0;
+    if (type || id)
+        put_ids(t, type ? "SPECIES" : "id", words, n);
+    else if (strcmp(style, "empty") == 0 || strcmp(style, "clear") == 0)
+        put(t, "", "0", "", "");
+    else if (strcmp(style, "variable") == 0 && n)
+        put(t, "", words[0], "", "");
+    else
+        return false;
+    return true;
+}
+
+bool foreign_explain_form(const char *line, diag *d) {
+    char *copy = alloc_copy(line), *save, *words[WORDS_MAX];
+    size_t n = 0;
+    for (char *w = strtok_r(copy, " \t", &save); w && n < WORDS_MAX; w = strtok_r(NULL, " \t", &save))
+        words[n++] = w;
+    test t = {.n = 0};
+    bool is_group = n >= 3 && strcmp(words[0], "group") == 0;
+    bool known = is_group && translate(words[2], words + 3, n - 3, &t);
+    if (known) {
+        diag_error(d, "'group ID %s' is LAMMPS's: here a group is a test of cells", words[2]);
+        diag_help(d, "group %s where %s", words[1], t.n ? t.text : "TEST");
+        if (strcmp(words[2], "type") == 0)
+            diag_help(d, "a species is a group of its cells already; its name stands for it in a test");
+        if (strcmp(words[2], "variable") == 0)
+            diag_help(d, "'group ID dynamic TEST' is judged anew at every look");
+    } else if (n == 3 && strcmp(words[2], "delete") == 0 && (is_group || strcmp(words[0], "region") == 0)) {
+        diag_error(d, "'%s ID delete' is LAMMPS's: write '%s %s off'", words[0], words[0], words[1]);
+        known = true;
+    }
+    free(copy);
+    return known;
 }

@@ -10,4 +10,7 @@
 /* Whether name is one of them; then the error says what there is instead. */
 bool foreign_explain(const char *name, diag *d);
 
+/* The same for a form of a command that both have: LAMMPS's `group ID type 1 2`. line: the whole of it, $ replaced. */
+bool foreign_explain_form(const char *line, diag *d);
+
 #endif

@@ -78,6 +78,10 @@ void interp_open_world(interp *in) {
     in->check.open_world = true;
 }
 
+bool interp_has_open_world(const interp *in) {
+    return in->check.open_world;
+}
+
 bool interp_in_loop(const interp *in) {
     for (int i = 0; i < in->depth; i++)
         if (strcmp(in->stack[i].kind, "for") == 0 || strcmp(in->stack[i].kind, "while") == 0 ||
@@ -127,7 +131,7 @@ uint64_t interp_warnings(const interp *in) {
 /* One line to the screen, the log or both. */
 static void print_line(interp *in, bool screen, bool log, const char *format, va_list list) {
     char *text = NULL;
-    if (in->check.on || vasprintf(&text, format, list) < 0)
+    if (in->check.on || in->replaying || vasprintf(&text, format, list) < 0)
         return;
     char *line = alloc_format("%s\n", text);
     if (screen && in->host->screen)
@@ -184,7 +188,7 @@ static void tell_warning(interp *in, const char *message) {
 }
 
 void interp_warn(interp *in, const char *format, ...) {
-    if (in->warn == WARN_OFF)
+    if (in->warn == WARN_OFF || in->replaying) /* what is replayed has been warned of */
         return;
     char message[512];
     va_list list;
@@ -364,6 +368,13 @@ const char *interp_journal(const interp *in, size_t i) {
     return in->journal[i];
 }
 
+void interp_journal_add(interp *in, const char *text) {
+    if (in->check.on)
+        return;
+    in->journal = alloc_grow(in->journal, &in->journal_capacity, in->njournal + 1, sizeof *in->journal);
+    in->journal[in->njournal++] = alloc_copy(text);
+}
+
 void interp_journal_clear(interp *in) {
     for (size_t i = 0; i < in->njournal; i++)
         free(in->journal[i]);
@@ -374,8 +385,10 @@ int interp_journal_replay(interp *in, const char *const *texts, size_t n, diag *
     echo_mode echo = in->echo;
     int status = SARCINA_OK;
     in->echo = ECHO_NONE;
+    in->replaying = true;
     for (size_t i = 0; i < n && !status; i++)
         status = interp_execute(in, texts[i], d);
+    in->replaying = false;
     in->echo = echo;
     return status;
 }

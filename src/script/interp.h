@@ -48,6 +48,7 @@ int interp_execute(interp *in, const char *text, diag *d);
 
 /* In a check: from here on names are unknown (a restart file defines them), so none is reported as missing. */
 void interp_open_world(interp *in);
+bool interp_has_open_world(const interp *in);
 
 /* The folder of the running script, "" for the prompt: ${here}. */
 const char *interp_here(const interp *in);
@@ -55,6 +56,7 @@ const char *interp_here(const interp *in);
 /* The journal: the texts, $ replaced, of the COMMAND_JOURNAL commands that succeeded. */
 size_t interp_journal_count(const interp *in);
 const char *interp_journal(const interp *in, size_t i);
+void interp_journal_add(interp *in, const char *text);
 void interp_journal_clear(interp *in); /* `clear` */
 int interp_journal_replay(interp *in, const char *const *texts, size_t n, diag *d);
 
@@ -89,6 +91,9 @@ int interp_number(interp *in, expr *e, quantity *out, diag *d);
 int interp_truth(interp *in, expr *e, bool *out, diag *d);
 int interp_cells(interp *in, expr *e, double *si, dim *dimension, diag *d); /* si: one a cell row */
 int interp_flags(interp *in, expr *e, bool *flags, diag *d);                /* flags: one a cell row */
+
+/* Whether the expression gives the same at every look: random() does not. */
+int interp_check_repeatable(interp *in, const expr *e, diag *d);
 
 /* A column for the writers of tables and dumps from a `value` or `cell` expression: its heading is the expression's
  * text. The column holds the expression and must not outlive the interpreter. */

@@ -87,7 +87,8 @@ int names_check_new(interp *in, const name_class *c, const char *name, diag *d) 
     const value_style *s = value_find(name);
     if (s)
         return diag_error(d, "'%s' is a value of the %s already", name, s->scope == VALUE_CELL ? "cells" : "program");
-    if (c && variables_find(&in->variables, name))
+    /* while a journal is replayed, variables are there already that came later */
+    if (c && !in->replaying && variables_find(&in->variables, name))
         return diag_error(d, "'%s' is already a variable", name);
     ptrdiff_t row = c ? names_row(in, c, name) : -1;
     const name_class *owner = row >= 0 ? c : names_owner(in, name, &row);
@@ -97,7 +98,7 @@ int names_check_new(interp *in, const name_class *c, const char *name, diag *d) 
         diag_error(d, "'%s' is already %s", name, owner->noun);
         return diag_help(d, "'off' in the place of its arguments removes it");
     }
-    bool group_of_species = c && strcmp(c->name, "group") == 0 && strcmp(owner->name, "species") == 0;
+    bool group_of_species = c && strcmp(c->name, "+group") == 0 && strcmp(owner->name, "species") == 0;
     return diag_error(d, "'%s' is already %s%s", name, owner->noun,
                       group_of_species ? "; a species is a group of its cells" : "");
 }

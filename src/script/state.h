@@ -44,6 +44,7 @@ struct interp {
     size_t nsources, source_capacity;
     char **journal;
     size_t njournal, journal_capacity;
+    bool replaying; /* the journal: nothing is said */
     checking check;
     uint64_t fingerprint; /* of the texts that the last check read */
     loop_request loop;
