@@ -1,14 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/value.h"
 
+#include "analysis/bridging.h"
 #include "analysis/cell.h"
 #include "analysis/component.h"
+#include "analysis/defects.h"
 #include "analysis/ellipse.h"
 #include "analysis/extent.h"
 #include "analysis/mechanical.h"
 #include "analysis/orientation.h"
+#include "analysis/outline.h"
 #include "analysis/plane.h"
+#include "analysis/solid.h"
 #include "analysis/state.h"
+#include "analysis/texture.h"
 #include "base/table.h"
 
 #include <assert.h>
@@ -72,6 +77,35 @@ const value_style value_styles[] = {
              "chains of two or more cells that filial links join; cells in the longest, and on average; cells with one "
              "filial link",
              NULL, component_filaments),
+    ANALYSIS(
+        compactness, "number", "volume:volume",
+        "volume of the cells over that of their convex hull (of the particle centres, grown by the mean radius); that "
+        "hull's volume",
+        NULL, solid_compactness),
+    ANALYSIS(
+        outline, "number", "area:area,perimeter:length,circularity:number,roughness:number",
+        "of the cells seen from above, each grown by half the mean diameter, holes filled: circularity 4 pi area / "
+        "perimeter^2; its area, perimeter, and roughness, the standard deviation over mean of its distance from the "
+        "centroid",
+        NULL, outline_measure),
+    ANALYSIS(
+        fractal, "number", NULL,
+        "mass-radius dimension around the centre of mass, from two mean diameters to the radius of gyration: 1 for a "
+        "filament, 2 for a disc, 3 for a ball",
+        NULL, texture_fractal),
+    ANALYSIS(verticalised, "number", NULL,
+             "part of the cells with an axis that stand at more than 45 degrees to the plane", NULL,
+             texture_verticalised),
+    ANALYSIS(defects, "number", "plus:number,minus:number,density:areadensity",
+             "half-turn disclinations of the axes seen from above, averaged over 1.5 mean cell lengths; those that "
+             "turn with "
+             "and against the way round, and all per area",
+             NULL, defects_measure),
+    ANALYSIS(
+        bridging, "length", "ends:number,radius:length,reach:length",
+        "length of the cells with filial links that lie beyond the floc, the sphere that holds 95 % of the others; "
+        "filament ends there, the floc's radius, and how far filaments reach",
+        NULL, bridging_measure),
 };
 const size_t value_style_count = TABLE_COUNT(value_styles);
 

@@ -20,6 +20,7 @@ static const struct {
     ENTRY("length", 1, 0, 0),
     ENTRY("area", 2, 0, 0),
     ENTRY("volume", 3, 0, 0),
+    ENTRY("areadensity", -2, 0, 0),
     ENTRY("mass", 0, 1, 0),
     ENTRY("density", -3, 1, 0),
     ENTRY("time", 0, 0, 1),
