@@ -134,7 +134,7 @@ static const struct {
     {"thermo_style custom E.mi", "E.minor"},
     {"thermo_style custom spee", ""},
     {"dump e all csv 10 f.csv spee", "speed"},
-    {"write_dump all csv f.csv id ve", ""},
+    {"write_dump all csv f.csv id vq", ""},
     {"include fir", "first.in"},
     {"include cas", "cases/"},
     {"include cases/", "cases/a.in"},
