@@ -5,7 +5,6 @@
 #include "base/alloc.h"
 #include "script/kind.h"
 
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -94,16 +93,9 @@ static void put_choices(page *p, const signature *form, const slot *s) {
     page_put(p, "%s", open ? ".El\n" : "");
 }
 
-/* A text as a sentence: capital, full stop, blank. */
-static void put_sentence(page *p, const char *text) {
-    if (text && *text)
-        page_put(p, "%s%c%s%s", p->n && p->chars[p->n - 1] != '\n' ? " " : "", toupper((unsigned char)*text), text + 1,
-                 text[strlen(text) - 1] == '?' ? "" : ".");
-}
-
 static void put_summary(page *p, const char *text) {
     page sentence = {0};
-    put_sentence(&sentence, text);
+    page_sentence(&sentence, text);
     mandoc_text(p, sentence.chars);
     free(sentence.chars);
 }
@@ -112,21 +104,7 @@ static void put_slot(page *p, const forms *f, const signature *form, const slot 
     page text = {0};
     page_put(p, ".It %s ", keyword ? "Cm" : "Ar");
     mandoc_escape(p, s->name);
-    put_sentence(&text, s->summary);
-    page kind = {0};
-    if (!kind_is_obvious(s))
-        kind_put(&kind, f->table, s);
-    if (kind.n && (s->lo_text || s->hi_text))
-        page_put(&kind, ", ");
-    kind_put_range(&kind, s);
-    put_sentence(&text, kind.chars);
-    free(kind.chars);
-    if (s->initial)
-        page_put(&text, " Default: %s.", s->initial);
-    else if (s->required)
-        page_put(&text, " Required.");
-    else if (s->group)
-        page_put(&text, " This, or another one like it, is required.");
+    kind_explain(&text, f->table, s);
     page_put(p, "\n");
     mandoc_text(p, text.chars);
     free(text.chars);

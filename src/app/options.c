@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/table.h"
+#include "script/page.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +12,7 @@ typedef struct option {
     const char *name;
     int words; /* that follow it */
     int (*take)(options *o, char **words, diag *d);
+    const char *takes, *summary; /* as in options.h */
 } option;
 
 static int take_in(options *o, char **words, diag *d) {
@@ -99,47 +101,63 @@ SWITCH(safe)
 SWITCH(version)
 SWITCH(help)
 SWITCH(results)
+SWITCH(json)
 
 static const option table[] = {
-    {"in", 1, take_in},           {"var", 2, take_var},
-    {"e", 1, take_command},       {"log", 1, take_log},
-    {"screen", 1, take_screen},   {"echo", 1, take_echo},
-    {"check", 0, take_check},     {"test", 0, take_test},
-    {"i", 0, take_interactive},   {"threads", 1, take_threads},
-    {"safe", 0, take_safe},       {"version", 0, take_version},
-    {"help", 0, take_help},       {"h", 0, take_help},
-    {"v", 2, take_var},           {"replicates", 1, take_replicates},
-    {"sweep", 2, take_sweep},     {"workers", 1, take_workers},
-    {"results", 0, take_results}, {"noinit", 0, take_noinit},
-    {"skiprun", 0, take_skiprun},
+    {"in", 1, take_in, "FILE",
+     "run this script; FILE alone is the same. Without one: a prompt, or the commands that come through a pipe"},
+    {"var", 2, take_var, "NAME TEXT", "set a variable before the script, whose own 'variable NAME default' yields"},
+    {"e", 1, take_command, "COMMAND", "run this command, after FILE when there is one"},
+    {"i", 0, take_interactive, "", "stay at the prompt afterwards"},
+    {"noinit", 0, take_noinit, "", "at a prompt, do not read $XDG_CONFIG_HOME/sarcina/init.in (~/.config without it)"},
+    {"check", 0, take_check, "", "read and check the whole script, report every error, run nothing"},
+    {"skiprun", 0, take_skiprun, "",
+     "grow and relax nothing: everything else of the script runs, to find its mistakes"},
+    {"test", 0, take_test, "PATH...",
+     "run the scripts *.test.in of these files and folders; print N passed, N failed"},
+    {"log", 1, take_log, "FILE|none",
+     "write the log to FILE or nowhere; otherwise, once cells move, to log.sarcina (an earlier one becomes "
+     "log.sarcina.1, .2 ...)"},
+    {"screen", 1, take_screen, "FILE|none", "print to this file, or nowhere"},
+    {"echo", 1, take_echo, "none|screen|log|both", "where commands are shown as they run"},
+    {"threads", 1, take_threads, "N", "processor cores to compute on; the results are the same for any number"},
+    {"replicates", 1, take_replicates, "N|A..B",
+     "run FILE with the variable seed = 1 to N, each in a folder below NAME.runs, and merge their tables: "
+     "NAME.ensemble.csv, NAME.scalars.csv, NAME.summary.csv"},
+    {"sweep", 2, take_sweep, "NAME A,B,...",
+     "run FILE with each of these texts of a variable; crosses with -replicates and other -sweep"},
+    {"workers", 1, take_workers, "N", "runs of an ensemble at a time; else as many as cores, or the ranks of mpirun"},
+    {"results", 0, take_results, "", "leave results.csv and scalars.csv, as each run of an ensemble does"},
+    {"safe", 0, take_safe, "", "refuse commands that reach outside, such as shell; read no init.in"},
+    {"version", 0, take_version, "", "print the version"},
+    {"help", 0, take_help, "", "print this; 'sarcina -e help' lists the commands"},
+    {"help-json", 0, take_json, "", "print the records of all commands, values, functions and options as JSON"},
+    {"h", 0, take_help, NULL, "help"},
+    {"v", 2, take_var, NULL, "var"},
 };
 
-const char *options_help(void) {
-    return "usage: sarcina [OPTION...] [FILE]\n"
-           "  FILE, -in FILE     run this script; without one, a prompt, or the commands that come through a pipe\n"
-           "  -var NAME TEXT     set a variable before the script, whose own 'variable NAME default' yields\n"
-           "  -e COMMAND         run this command (after FILE when there is one)\n"
-           "  -i                 stay at the prompt afterwards\n"
-           "  -check             read and check the whole script, report every error, run nothing\n"
-           "  -test PATH...      run the scripts *.test.in of these files and folders; print N passed, N failed\n"
-           "  -log FILE|none     write the log to FILE or nowhere; otherwise, once cells move, to log.sarcina (an "
-           "earlier\n"
-           "                     one becomes log.sarcina.1, .2 ...)\n"
-           "  -screen FILE|none  print to this file, or nowhere\n"
-           "  -echo MODE         none, screen, log or both: where commands are shown as they run\n"
-           "  -threads N         processor cores to compute on\n"
-           "  -replicates N|A..B run FILE with the variable seed = 1 to N, each in a folder below NAME.runs, and "
-           "merge\n"
-           "                     their tables: NAME.ensemble.csv, NAME.scalars.csv, NAME.summary.csv\n"
-           "  -sweep NAME A,B,.. run FILE with each of these texts of a variable; crosses with -replicates and -sweep\n"
-           "  -workers N         runs of an ensemble at a time; else as many as cores, or the ranks of mpirun\n"
-           "  -results           leave results.csv and scalars.csv, as each run of an ensemble does\n"
-           "  -skiprun           grow and relax nothing: everything else of the script runs, to find its mistakes\n"
-           "  -safe              refuse commands that reach outside, such as shell; read no init.in\n"
-           "  -noinit            at a prompt, do not read $XDG_CONFIG_HOME/sarcina/init.in (~/.config without it)\n"
-           "  -version, -help\n"
-           "--NAME is the same as -NAME. Exit: 0 done, 1 error in the script, 2 wrong command line, 3 numerical\n"
-           "failure, 4 failed expect, 130 interrupted. 'sarcina -e help' lists the commands.\n";
+const option_text *options_list(size_t i, option_text *out) {
+    if (i >= TABLE_COUNT(table))
+        return NULL;
+    *out = (option_text){table[i].name, table[i].takes, table[i].summary};
+    return out;
+}
+
+char *options_help(void) {
+    page p = {0};
+    option_text o;
+    page_put(&p, "usage: sarcina [OPTION...] [FILE]\n");
+    for (size_t i = 0; options_list(i, &o); i++) {
+        if (!o.takes)
+            continue;
+        size_t from = p.n;
+        page_put(&p, "  -%s%s%s", o.name, *o.takes ? " " : "", o.takes);
+        page_put(&p, "%*s", p.n - from < 26 ? (int)(26 - (p.n - from)) : 1, "");
+        page_wrap(&p, 26, 110, o.summary);
+    }
+    page_put(&p, "--NAME is the same as -NAME; -h is -help, -v is -var. Exit codes: 0 done, 1 error in the script, 2 wrong\n"
+                 "command line, 3 numerical failure, 4 failed expect, 130 interrupted.\n");
+    return p.chars;
 }
 
 static int take_word(options *o, char *text, diag *d) {

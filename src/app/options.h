@@ -32,7 +32,7 @@ typedef struct options {
     int workers;  /* runs of an ensemble at a time; 0: as many as cores */
     int threads;  /* 0: not given */
     bool results; /* leave results.csv and scalars.csv: this is a run of an ensemble */
-    bool check, test, interactive, noinit, skiprun, safe, version, help;
+    bool check, test, interactive, noinit, skiprun, safe, version, help, json;
 } options;
 
 /* Fills o from the command line; its lists are freed with options_free. SARCINA_USAGE with an error when the command
@@ -40,7 +40,17 @@ typedef struct options {
 int options_read(options *o, int argc, char **argv, diag *d);
 void options_free(options *o);
 
-/* The text of -help. */
-const char *options_help(void);
+/* An option as help, manual and completion show it. */
+typedef struct option_text {
+    const char *name;
+    const char *takes;   /* "NAME TEXT", "": nothing; NULL: a second name, summary tells of which */
+    const char *summary; /* one line, no full stop */
+} option_text;
+
+/* The i-th option in *out; NULL when there are fewer. */
+const option_text *options_list(size_t i, option_text *out);
+
+/* The text of -help; the caller frees. */
+char *options_help(void);
 
 #endif

@@ -51,6 +51,13 @@ bool dim_by_name(const char *name, dim *out) {
     return false;
 }
 
+const char *dim_listed(size_t i, dim *out) {
+    if (i >= NAME_COUNT)
+        return NULL;
+    *out = names[i].d;
+    return names[i].name;
+}
+
 /* Writes "m2" style factors of one sign; exponents in twelfths may be fractions. */
 static int put_factor(char *out, size_t room, const char *unit, int twelfths, const char *before) {
     if (twelfths == 12)

@@ -40,6 +40,9 @@ static inline bool dim_is_none(dim a) {
  * false when there is none of that name. */
 bool dim_by_name(const char *name, dim *out);
 
+/* The i-th of these names, with its dimension; NULL when there are fewer. */
+const char *dim_listed(size_t i, dim *out);
+
 /* What an error calls the dimension: "length", "rate", "pure number", or "m2 kg s-1" where no name is known.
  * The text is in buffer or constant. */
 const char *dim_name(dim d, char buffer[48]);

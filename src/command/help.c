@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* help [TOPIC ...]: made from the tables, see script/help.h. */
+/* help [TOPIC ...] and apropos WORD: made from the tables, see script/help.h. */
 #include "command/commands.h"
 
 #include "base/table.h"
@@ -25,11 +25,29 @@ static int run_help(interp *in, const args *a, diag *d) {
     return SARCINA_OK;
 }
 
-static const param params[] = {{"TOPIC:words?", "a command and its style, a value, a function, expressions"}};
+static int run_apropos(interp *in, const args *a, diag *d) {
+    char *text = help_search(in, args_text(a, "WORD"), d);
+    if (!text) {
+        diag_place(d, args_span(a, "WORD"));
+        return SARCINA_ERROR;
+    }
+    interp_screen(in, "%s", text);
+    free(text);
+    return SARCINA_OK;
+}
+
+static const param params[] = {{"TOPIC:words?", "a command and its style, a value, a function, a topic such as expressions"}};
+
+static const param search_params[] = {{"WORD:text", "a word, a part of one, or several in quotes"}};
 
 static const command_form forms[] = {
-    {"help TOPIC:words?", params, TABLE_COUNT(params), "Explains a command, value or function", NULL, "help print", 0,
-     run_help, NULL, 0},
+    {"help TOPIC:words?", params, TABLE_COUNT(params), "Explains commands, values, functions and the language",
+     "Without a topic it lists them all. A command of many forms is listed form by form: 'help dump image' explains one. "
+     "A style or keyword alone shows the forms that have it.",
+     "help\nhelp print\nhelp dump image\nhelp thickness\nhelp expressions", 0, run_help, NULL, 0},
+    {"apropos WORD:text", search_params, TABLE_COUNT(search_params), "Finds what has to do with a word",
+     "Searches names, summaries, details and arguments of commands, topics, values and functions.", "apropos overlap", 0,
+     run_apropos, NULL, 0},
 };
 
 void command_help(command_table *t) {

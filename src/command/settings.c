@@ -127,6 +127,8 @@ void command_settings(command_table *t) {
                                    .run = run_accuracy};
     char *head = head_of("accuracy PRESET", accuracy_presets, accuracy_preset_count, sizeof accuracy_presets[0]);
     command_add_style(t, &accuracy, head, "Method and step of the relaxation", accuracy_params, 1, 0);
+    for (size_t i = 0; i < accuracy_preset_count; i++)
+        command_add_choice(t, accuracy_presets[i].name, accuracy_presets[i].summary);
     free(head);
     const command_form integrator = {.details =
                                          "For those who want more than 'accuracy' offers; the last of both counts.",
@@ -139,5 +141,7 @@ void command_settings(command_table *t) {
     head = head_of("integrator STYLE", names, INTEGRATOR_COUNT, sizeof names[0]);
     command_add_style(t, &integrator, head, "Method of the relaxation in detail", integrator_params,
                       TABLE_COUNT(integrator_params), 0);
+    for (int i = 0; i < INTEGRATOR_COUNT; i++)
+        command_add_choice(t, integrator_styles[i]->name, integrator_styles[i]->summary);
     free(head);
 }

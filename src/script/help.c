@@ -4,166 +4,180 @@
 #include "analysis/value.h"
 #include "base/alloc.h"
 #include "base/table.h"
+#include "script/control.h"
 #include "script/function.h"
 #include "script/names.h"
 #include "script/reduction.h"
-#include "script/signature.h"
 #include "script/state.h"
+#include "script/topic.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct page {
-    char *chars;
-    size_t n, capacity;
-} page;
+/* ---- everything, a line each ---- */
 
-static void put(page *p, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-static void put(page *p, const char *format, ...) {
-    char *text = NULL;
-    va_list list;
-    va_start(list, format);
-    int n = vasprintf(&text, format, list);
-    va_end(list);
-    if (n < 0)
-        return;
-    p->chars = alloc_grow(p->chars, &p->capacity, p->n + (size_t)n + 1, 1);
-    memcpy(p->chars + p->n, text, (size_t)n + 1);
-    p->n += (size_t)n;
-    free(text);
+static void put_line(page *p, const char *name, const char *summary) {
+    page_put(p, "  %-15s ", name);
+    page_wrap(p, 18, HELP_WIDTH, summary ? summary : "");
 }
 
-/* The words that the interpreter itself reads. */
-static const struct {
-    const char *name, *usage, *summary, *example;
-} words[] = {
-    {"if", "if EXPR, lines, [elif EXPR, lines ...] [else, lines], end; or if EXPR then \"COMMAND\" [else \"COMMAND\"]",
-     "Runs commands when a condition holds", "if cells > 1 then \"print 'many'\" else \"print 'one'\""},
-    {"for", "for NAME in A..B[..STEP] | WORD ..., lines, end", "Runs commands for each value", "for i in 1..3 ... end"},
-    {"while", "while EXPR, lines, end", "Runs commands as long as a condition holds",
-     "while max(overlap) > 1nm ... end"},
-    {"repeat", "repeat N, lines, end", "Runs commands several times", "repeat 2 ... end"},
-    {"break", "break", "Ends the innermost loop", "break"},
-    {"continue", "continue", "Goes on with the next pass of the innermost loop", "continue"},
-    {"end", "end [if|for|while|repeat]", "Closes a block", "end for"},
-};
+/* Commands under the headings of their pages; those that have none come last. */
+static void put_commands(page *p, const command_table *t) {
+    const signature *first;
+    const char *name;
+    for (size_t i = 0; i < t->npages; i++) {
+        if (i == 0 || strcmp(t->pages[i].topic, t->pages[i - 1].topic) != 0)
+            page_put(p, "%s\n", t->pages[i].topic);
+        if (signature_forms(t, t->pages[i].name, &first, 1))
+            put_line(p, t->pages[i].name, t->pages[i].summary);
+    }
+    for (size_t i = 0; (name = signature_command(t, i)); i++)
+        if (!signature_page(t, name) && signature_forms(t, name, &first, 1))
+            put_line(p, name, first->form.summary);
+}
 
 static void put_overview(page *p, const command_table *t) {
-    put(p, "Commands ('help COMMAND' explains one):\n");
-    for (size_t i = 0; i < t->count; i++) {
-        const char *name = t->list[i].head[0].name;
-        if (i && strcmp(t->list[i - 1].head[0].name, name) == 0)
-            continue;
-        put(p, "  %-14s %s\n", name, t->list[i].form.summary ? t->list[i].form.summary : "");
+    put_commands(p, t);
+    page_put(p, "Blocks\n");
+    for (size_t i = 0; i < control_word_count; i++)
+        put_line(p, control_words[i].name, control_words[i].summary);
+    page_put(p, "Topics\n");
+    for (size_t i = 0; i < topic_count; i++)
+        put_line(p, topics[i].name, topics[i].title);
+    page_put(p, "'help NAME' explains a command, topic, value or function; 'help dump image' one form of a command; "
+                "'apropos WORD' searches all of it.");
+}
+
+/* ---- one thing ---- */
+
+static void put_control(page *p, const control_word *w) {
+    page_put(p, "%s: %s\n\n", w->name, w->summary);
+    page_lines(p, 2, w->usage);
+    if (w->details) {
+        page_put(p, "\n    ");
+        page_wrap(p, 4, HELP_WIDTH, w->details);
     }
-    for (size_t i = 0; i < TABLE_COUNT(words); i++)
-        put(p, "  %-14s %s\n", words[i].name, words[i].summary);
-    put(p, "'help values' lists what expressions may name, 'help functions' what they may call.");
+    page_put(p, "\n    Example:\n");
+    page_lines(p, 6, w->example);
 }
 
-static void put_slot(page *p, const slot *s) {
-    put(p, "  %-12s %s", s->name, s->summary ? s->summary : "");
-    if (s->initial)
-        put(p, " (default %s)", s->initial);
-    if (s->lo_text)
-        put(p, "; %s %s", s->lo_open ? "more than" : "at least", s->lo_text);
-    if (s->hi_text)
-        put(p, "; %s %s", s->hi_open ? "less than" : "at most", s->hi_text);
-    put(p, "\n");
-}
-
-static void put_form(page *p, const signature *s) {
-    char *usage = signature_usage(s);
-    put(p, "%s\n  %s.\n", usage, s->form.summary ? s->form.summary : "");
-    free(usage);
-    for (size_t i = 1; i < s->nhead; i++)
-        if (s->head[i].kind != SLOT_LITERAL)
-            put_slot(p, &s->head[i]);
-    for (size_t i = 0; i < s->nkey; i++)
-        put_slot(p, &s->key[i]);
-    if (s->form.details)
-        put(p, "  %s\n", s->form.details);
-    if (s->form.example)
-        put(p, "  Example: %s\n", s->form.example);
-}
-
-/* Whether the words of the topic are among the form's words, the first one first. */
-static bool fits(const signature *s, const char *topic) {
-    char copy[256], *save;
-    snprintf(copy, sizeof copy, "%s", topic);
-    char *word_of = strtok_r(copy, " ", &save);
-    if (!word_of || strcmp(word_of, s->head[0].name) != 0)
-        return false;
-    while ((word_of = strtok_r(NULL, " ", &save))) {
-        bool found = false;
-        for (size_t i = 1; i < s->nhead; i++)
-            found = found || (s->head[i].kind == SLOT_LITERAL && strcmp(s->head[i].name, word_of) == 0);
-        if (!found)
-            return false;
+/* Rows as a table whose left column is as wide as its names, within reason. */
+static void put_rows(page *p, topic_row *rows) {
+    page name = {0}, text = {0};
+    for (size_t i = 0; rows(i, &name, &text); i++) {
+        page_put(p, "  %-15s ", name.chars ? name.chars : "");
+        if (name.n > 15)
+            page_put(p, "\n%18s", "");
+        page_wrap(p, 18, HELP_WIDTH, text.chars ? text.chars : "");
+        name.n = text.n = 0;
     }
-    return true;
+    free(name.chars);
+    free(text.chars);
+}
+
+static void put_topic(page *p, const topic *t) {
+    page_put(p, "%s: %s\n\n", t->name, t->title);
+    for (size_t i = 0; i < t->nparts; i++) {
+        page_put(p, "  ");
+        page_wrap(p, 2, HELP_WIDTH, t->parts[i].text);
+        if (t->parts[i].example) {
+            page_put(p, "\n");
+            page_lines(p, 6, t->parts[i].example);
+            page_put(p, "\n");
+        }
+    }
+    if (t->rows)
+        put_rows(p, t->rows);
 }
 
 static void put_value(page *p, const value_style *s) {
-    static const char *const scopes[] = {"per cell", "of the scene", "a measure of all cells, or of a group"};
-    put(p, "%s: %s (%s, %s)\n", s->name, s->summary, s->dimension, scopes[s->scope]);
-    for (size_t i = 0; i < value_field_count(s); i++) {
-        char name[32], buffer[48];
-        dim d;
-        value_field(s, i, name, &d);
-        put(p, "  %s.%s (%s)\n", s->name, name, dim_name(d, buffer));
+    page name = {0}, text = {0};
+    for (size_t i = 0; topic_row_value(i, &name, &text); i++) {
+        if (strcmp(name.chars, s->name) == 0) {
+            page_put(p, "%s: ", name.chars);
+            page_wrap(p, 2, HELP_WIDTH, text.chars);
+        }
+        name.n = text.n = 0;
     }
+    if (s->source)
+        page_put(p, "  Source: %s\n", s->source);
+    free(name.chars);
+    free(text.chars);
 }
 
-static void put_lists(page *p, const char *topic) {
-    for (size_t i = 0; strcmp(topic, "values") == 0 && i < value_style_count; i++)
-        put_value(p, &value_styles[i]);
-    for (size_t i = 0; strcmp(topic, "functions") == 0 && i < function_style_count; i++)
-        put(p, "%-24s %s\n", function_styles[i].signature, function_styles[i].summary);
-    for (size_t i = 0; strcmp(topic, "functions") == 0 && i < reduction_style_count; i++)
-        put(p, "%-24s %s\n", reduction_styles[i].signature, reduction_styles[i].summary);
+/* Forms that have the word as a style or keyword: help sphere, help gap. */
+static void put_forms_with(page *p, const command_table *t, const char *style) {
+    const char *name;
+    for (size_t i = 0; (name = signature_command(t, i)); i++)
+        if (strcmp(name, style) != 0)
+            help_put_command(p, t, name, style);
 }
 
-static void put_topic(page *p, const command_table *t, const char *topic) {
-    for (size_t i = 0; i < t->count; i++)
-        if (fits(&t->list[i], topic))
-            put_form(p, &t->list[i]);
-    for (size_t i = 0; i < TABLE_COUNT(words); i++)
-        if (strcmp(words[i].name, topic) == 0)
-            put(p, "%s\n  %s.\n  Example: %s\n", words[i].usage, words[i].summary, words[i].example);
-    const value_style *v = value_find(topic);
+static void put_named(page *p, const command_table *t, const char *name) {
+    const control_word *w = control_find(name);
+    const topic *about = topic_find(name);
+    const value_style *v = value_find(name);
+    const function_style *f = function_find(name);
+    const reduction_style *r = reduction_find(name);
+    help_put_command(p, t, name, NULL);
+    if (w)
+        put_control(p, w);
+    if (about)
+        put_topic(p, about);
     if (v)
         put_value(p, v);
-    const function_style *f = function_find(topic);
     if (f)
-        put(p, "%s: %s\n", f->signature, f->summary);
-    const reduction_style *r = reduction_find(topic);
+        page_put(p, "%s: %s\n", f->signature, f->summary);
     if (r)
-        put(p, "%s: %s\n", r->signature, r->summary);
-    put_lists(p, topic);
+        page_put(p, "%s: %s\n", r->signature, r->summary);
 }
 
-char *help_text(interp *in, const char *topic, diag *d) {
-    const command_table *t = in->host->commands;
-    page p = {0};
-    if (*topic)
-        put_topic(&p, t, topic);
-    else
-        put_overview(&p, t);
-    if (p.n) {
-        if (p.chars[p.n - 1] == '\n')
-            p.chars[p.n - 1] = '\0';
-        return p.chars;
+/* "dump image" is a command and words of one of its forms. */
+static void put_any(page *p, const command_table *t, const char *asked) {
+    const char *blank = strchr(asked, ' ');
+    if (blank) {
+        char *name = alloc_copy_n(asked, (size_t)(blank - asked));
+        help_put_command(p, t, name, blank + 1);
+        free(name);
+        return;
     }
+    put_named(p, t, asked);
+    if (!p->n)
+        put_forms_with(p, t, asked);
+}
+
+static char *refuse(const command_table *t, const char *asked, diag *d) {
     name_list l = {0};
-    for (size_t i = 0; i < t->count; i++)
-        names_add(&l, t->list[i].head[0].name);
+    const char *name;
+    for (size_t i = 0; (name = signature_command(t, i)); i++)
+        names_add(&l, name);
+    for (size_t i = 0; i < control_word_count; i++)
+        names_add(&l, control_words[i].name);
+    for (size_t i = 0; i < topic_count; i++)
+        names_add(&l, topics[i].name);
     for (size_t i = 0; i < value_style_count; i++)
         names_add(&l, value_styles[i].name);
-    diag_error(d, "no help about '%s'", topic);
-    names_suggest(&l, topic, "topics", d);
+    for (size_t i = 0; i < function_style_count; i++)
+        names_add(&l, function_styles[i].name);
+    for (size_t i = 0; i < reduction_style_count; i++)
+        names_add(&l, reduction_styles[i].name);
+    diag_error(d, "no help about '%s'", asked);
+    names_suggest(&l, asked, "topics", d);
+    diag_help(d, "'help' lists commands and topics; 'apropos WORD' searches all texts");
     return NULL;
+}
+
+char *help_text(interp *in, const char *asked, diag *d) {
+    const command_table *t = in->host->commands;
+    page p = {0};
+    if (*asked)
+        put_any(&p, t, asked);
+    else
+        put_overview(&p, t);
+    if (!p.n)
+        return refuse(t, asked, d);
+    while (p.n && p.chars[p.n - 1] == '\n')
+        p.chars[--p.n] = '\0';
+    return p.chars;
 }

@@ -3,6 +3,7 @@
 
 #include "base/table.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static const struct {
@@ -104,4 +105,22 @@ int kind_put_range(page *p, const slot *s) {
     if (s->hi_text)
         page_put(p, "%s%s %s", s->lo_text ? ", " : "", s->hi_open ? "less than" : "at most", s->hi_text);
     return s->lo_text || s->hi_text;
+}
+
+void kind_explain(page *p, const command_table *t, const slot *s) {
+    page kind = {0};
+    page_sentence(p, s->summary);
+    if (!kind_is_obvious(s))
+        kind_put(&kind, t, s);
+    if (kind.n && (s->lo_text || s->hi_text))
+        page_put(&kind, ", ");
+    kind_put_range(&kind, s);
+    page_sentence(p, kind.chars);
+    free(kind.chars);
+    if (s->initial)
+        page_put(p, " Default: %s.", s->initial);
+    else if (s->required)
+        page_put(p, " Required.");
+    else if (s->group)
+        page_put(p, " This, or another that can take its place, is required.");
 }

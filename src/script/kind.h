@@ -9,6 +9,9 @@
 /* "length (um, nm)", "one of in, out", "a species", "a whole number". */
 void kind_put(page *p, const command_table *t, const slot *s);
 
+/* Sentences: what the argument means, what may stand there, its range, its default or that it is required. */
+void kind_explain(page *p, const command_table *t, const slot *s);
+
 /* Whether its summary says all that kind_put would. */
 int kind_is_obvious(const slot *s);
 

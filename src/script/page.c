@@ -3,7 +3,9 @@
 
 #include "base/alloc.h"
 
+#include <ctype.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,9 +52,10 @@ static void wrap_line(page *p, size_t indent, size_t width, const char *text, si
         if (end > n || from == end)
             break;
         size_t at = column(p);
-        if (at > indent && at + 1 + letters(text + from, end - from) > width)
+        bool goes_on = at > 0 && p->chars[p->n - 1] != ' ';
+        if (goes_on && at + 1 + letters(text + from, end - from) > width)
             page_put(p, "\n%*s", (int)indent, "");
-        else if (at > indent)
+        else if (goes_on)
             page_put(p, " ");
         page_put_n(p, text + from, end - from);
     }
@@ -70,6 +73,15 @@ void page_wrap(page *p, size_t indent, size_t width, const char *text) {
         line += n + (line[n] == '\n');
     }
     page_put(p, "\n");
+}
+
+void page_sentence(page *p, const char *text) {
+    if (!text || !*text)
+        return;
+    bool goes_on = p->n && p->chars[p->n - 1] != '\n';
+    char last = text[strlen(text) - 1];
+    page_put(p, "%s%c%s%s", goes_on ? " " : "", toupper((unsigned char)*text), text + 1,
+             last == '?' || last == '.' ? "" : ".");
 }
 
 void page_lines(page *p, size_t indent, const char *text) {

@@ -17,6 +17,9 @@ void page_put_n(page *p, const char *text, size_t n);
  * is. Line ends of the text stay; those that begin with a blank are left as they are. */
 void page_wrap(page *p, size_t indent, size_t width, const char *text);
 
+/* Puts a text as a sentence: capital, full stop, a blank before it where the line has begun. NULL, "": nothing. */
+void page_sentence(page *p, const char *text);
+
 /* Puts every line of a text behind `indent` blanks. */
 void page_lines(page *p, size_t indent, const char *text);
 

@@ -332,6 +332,13 @@ const char *signature_command(const command_table *t, size_t i) {
     return NULL;
 }
 
+const char *signature_style(const signature *s) {
+    for (size_t i = 1; i < s->nhead; i++)
+        if (s->head[i].kind == SLOT_LITERAL)
+            return s->head[i].name;
+    return "";
+}
+
 void command_set_prelude(command_table *t, const char *script, const command_file *files, size_t nfiles) {
     t->prelude = script;
     t->files = files;

@@ -111,6 +111,9 @@ size_t signature_forms(const command_table *t, const char *command, const signat
 /* The i-th of all commands by name, in the order of the table; NULL when there are fewer. */
 const char *signature_command(const command_table *t, size_t i);
 
+/* The first word behind the command's that stands for itself, "image" of dump image; "" when there is none. */
+const char *signature_style(const signature *s);
+
 /* The page of a command; NULL. */
 const command_page *signature_page(const command_table *t, const char *command);
 

@@ -13,6 +13,7 @@
 #include "script/block.h"
 #include "script/control.h"
 #include "script/signature.h"
+#include "script/topic.h"
 
 #include <stdio.h>
 #include <unistd.h>
@@ -102,6 +103,31 @@ static void test_examples(void **state) {
     assert_int_equal(wrong, 0);
 }
 
+/* Examples of topics run too, and print what the topic says they print. */
+static void test_topics(void **state) {
+    (void)state;
+    size_t wrong = 0, ran = 0, compared = 0;
+    for (size_t i = 0; i < topic_count; i++)
+        for (size_t k = 0; k < topics[i].nparts; k++) {
+            const topic_part *part = &topics[i].parts[k];
+            if (!part->example)
+                continue;
+            bool right = runs(topics[i].name, part->example);
+            ran++;
+            if (right && part->prints) {
+                char *due = alloc_format("%s\n", part->prints);
+                right = strcmp(due, host.printed) == 0;
+                compared++;
+                if (!right)
+                    printf("%s:\n%s\ndue: %sseen: %s\n", topics[i].name, part->example, due, host.printed);
+                free(due);
+            }
+            wrong += !right;
+        }
+    printf("%zu examples of topics, %zu with what they print, %zu wrong\n", ran, compared, wrong);
+    assert_int_equal(wrong, 0);
+}
+
 /* Whether a word stands in a text, between blanks, quotes or line ends. */
 static bool has_word(const char *text, const char *word) {
     size_t n = strlen(word);
@@ -134,6 +160,7 @@ static void test_named(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_examples), cmocka_unit_test(test_named)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_examples), cmocka_unit_test(test_named),
+                                       cmocka_unit_test(test_topics)};
     return cmocka_run_group_tests_name("records", tests, open_host, close_host);
 }
