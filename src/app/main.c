@@ -3,9 +3,11 @@
 #include "app/ensemble.h"
 #include "app/options.h"
 #include "app/program.h"
+#include "app/records.h"
 #include "app/repl.h"
 #include "app/test_run.h"
 #include "base/alloc.h"
+#include "command/commands.h"
 #include "command/results.h"
 #include "script/interp.h"
 
@@ -79,6 +81,30 @@ static int run_all(program *p, interp *in, const options *o) {
     return interp_has_quit(in, &code) && !status ? code : status;
 }
 
+/* -help-json: needs the tables, but no scene. */
+static int print_records(void) {
+    diag d = {0};
+    units *u = units_create(&d);
+    if (!u) {
+        program_complain(&d);
+        return SARCINA_ERROR;
+    }
+    command_table *t = command_table_create(u);
+    commands_add(t);
+    char *text = records_json(t);
+    fputs(text, stdout);
+    free(text);
+    command_table_free(t);
+    units_free(u);
+    return SARCINA_OK;
+}
+
+static void print_help(void) {
+    char *text = options_help();
+    fputs(text, stdout);
+    free(text);
+}
+
 static int run_program(const options *o) {
     program p;
     diag d = {0};
@@ -115,7 +141,9 @@ int main(int argc, char **argv) {
     } else if (o.version) {
         printf("sarcina %s\n", SARCINA_VERSION);
     } else if (o.help) {
-        fputs(options_help(), stdout);
+        print_help();
+    } else if (o.json) {
+        status = print_records();
     } else {
         status = run_program(&o);
     }

@@ -22,6 +22,7 @@ int main(int argc, char **argv) {
     commands_add(t);
     mandoc m = {.commands = t, .source = argv[1], .target = argv[2]};
     mandoc_commands(&m);
+    mandoc_sources(&m);
     command_table_free(t);
     units_free(u);
     return m.failed;

@@ -5,6 +5,7 @@
 
 #include "script/page.h"
 #include "script/signature.h"
+#include "script/topic.h"
 
 #include <stdbool.h>
 
@@ -33,6 +34,15 @@ void mandoc_literal(page *p, const char *text);
 
 /* "SEE ALSO" of command names parted by blanks, behind those every page names. */
 void mandoc_see(page *p, const command_table *t, const char *names);
+
+/* A list of terms and what they mean, row by row. */
+void mandoc_rows(page *p, topic_row *rows);
+
+/* The sections that topics are, one a topic. */
+void mandoc_topics(page *p);
+
+/* The pages of man/src, whose lines @NAME stand for what comes from tables (mandoc_source.c). */
+void mandoc_sources(mandoc *m);
 
 /* One page a command: sarcina-COMMAND(7). */
 void mandoc_commands(mandoc *m);

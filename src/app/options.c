@@ -113,8 +113,7 @@ static const option table[] = {
     {"check", 0, take_check, "", "read and check the whole script, report every error, run nothing"},
     {"skiprun", 0, take_skiprun, "",
      "grow and relax nothing: everything else of the script runs, to find its mistakes"},
-    {"test", 0, take_test, "PATH...",
-     "run the scripts *.test.in of these files and folders; print N passed, N failed"},
+    {"test", 0, take_test, "PATH...", "run the scripts *.test.in of these files and folders; print N passed, N failed"},
     {"log", 1, take_log, "FILE|none",
      "write the log to FILE or nowhere; otherwise, once cells move, to log.sarcina (an earlier one becomes "
      "log.sarcina.1, .2 ...)"},
@@ -155,8 +154,9 @@ char *options_help(void) {
         page_put(&p, "%*s", p.n - from < 26 ? (int)(26 - (p.n - from)) : 1, "");
         page_wrap(&p, 26, 110, o.summary);
     }
-    page_put(&p, "--NAME is the same as -NAME; -h is -help, -v is -var. Exit codes: 0 done, 1 error in the script, 2 wrong\n"
-                 "command line, 3 numerical failure, 4 failed expect, 130 interrupted.\n");
+    page_put(
+        &p, "--NAME is the same as -NAME; -h is -help, -v is -var. Exit codes: 0 done, 1 error in the script, 2 wrong\n"
+            "command line, 3 numerical failure, 4 failed expect, 130 interrupted.\n");
     return p.chars;
 }
 

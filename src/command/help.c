@@ -36,18 +36,20 @@ static int run_apropos(interp *in, const args *a, diag *d) {
     return SARCINA_OK;
 }
 
-static const param params[] = {{"TOPIC:words?", "a command and its style, a value, a function, a topic such as expressions"}};
+static const param params[] = {
+    {"TOPIC:words?", "a command and its style, a value, a function, a topic such as expressions"}};
 
 static const param search_params[] = {{"WORD:text", "a word, a part of one, or several in quotes"}};
 
 static const command_form forms[] = {
     {"help TOPIC:words?", params, TABLE_COUNT(params), "Explains commands, values, functions and the language",
-     "Without a topic it lists them all. A command of many forms is listed form by form: 'help dump image' explains one. "
+     "Without a topic it lists them all. A command of many forms is listed form by form: 'help dump image' explains "
+     "one. "
      "A style or keyword alone shows the forms that have it.",
      "help\nhelp print\nhelp dump image\nhelp thickness\nhelp expressions", 0, run_help, NULL, 0},
     {"apropos WORD:text", search_params, TABLE_COUNT(search_params), "Finds what has to do with a word",
-     "Searches names, summaries, details and arguments of commands, topics, values and functions.", "apropos overlap", 0,
-     run_apropos, NULL, 0},
+     "Searches names, summaries, details and arguments of commands, topics, values and functions.", "apropos overlap",
+     0, run_apropos, NULL, 0},
 };
 
 void command_help(command_table *t) {

@@ -30,6 +30,10 @@ static const command_page pages[] = {
     {"region", "Scene", "Names a part of space",
      "A region is a place to create cells in, and a group of the cells whose centre is inside.",
      "create_cells delete_cells"},
+    {"group", "Scene", "Names a set of cells",
+     "Every species and region is a group already, and all is every cell. A group is a truth value of each cell in "
+     "expressions.",
+     "region delete_cells analyze"},
     {"create_cells", "Scene", "Puts new cells into the scene", "All of them or none.", "species region set"},
     {"delete_cells", "Scene", "Takes cells out", "Their links go with them.", "create_cells set"},
     {"set", "Scene", "Sets a property of cells from a formula", NULL, "create_cells delete_cells variable"},

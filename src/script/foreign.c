@@ -8,31 +8,63 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct {
-    const char *name, *instead;
-} lammps[] = {
+static const foreign_word lammps[] = {
     {"fix", "there is no fix here: growth, division, force, link, substratum and run say what happens"},
     {"unfix", "there is no fix here: 'force dlvo off', 'growth NAME off' take a model out"},
+    {"fix_modify", "there is no fix here: the same head again amends what it names: force dlvo kappa 4e7/m"},
     {"compute", "there is no compute here: analyze, or a formula: variable NAME equal mean(z)"},
     {"uncompute", "there is no compute here: 'analyze ID off'"},
+    {"compute_modify", "there is no compute here: a formula says which cells: mean(z where ff)"},
     {"jump", "there is no jump here: use for/while/repeat ... end"},
     {"label", "there is no label here: use for/while/repeat ... end"},
     {"next", "there is no next here: use for NAME in ... end"},
     {"timestep", "the step is chosen by 'accuracy'; growth steps stand in 'run N grow DT'"},
+    {"run_style", "the method is chosen by 'accuracy' or 'integrator'"},
     {"minimize", "write 'relax to 1e-16N within 60s'"},
+    {"min_style", "write 'relax to 1e-16N within 60s'; the method is chosen by 'accuracy' or 'integrator'"},
+    {"min_modify", "write 'relax to 1e-16N within 60s'; the method is chosen by 'accuracy' or 'integrator'"},
     {"create_atoms", "write create_cells"},
+    {"create_bonds", "write 'link ...': links form by themselves, or at division"},
     {"create_box", "there is no box: space is open; 'region' names parts of it"},
+    {"change_box", "there is no box: space is open; 'region' names parts of it"},
+    {"boundary", "there is no box: space is open, above the substratum where there is one"},
+    {"lattice", "there is no lattice: lengths carry their unit: create_cells NAME grid ... 2um 2um 0"},
+    {"atom_style", "there is nothing to choose here: 'species NAME coccus' or 'species NAME rod' say what cells are"},
+    {"atom_modify", "there is nothing to choose here"},
     {"pair_style", "write 'force collision', 'force dlvo'"},
     {"pair_coeff", "write 'force collision k ...', 'force dlvo ces ...'"},
+    {"pair_modify", "write 'force collision k ...', 'force dlvo ces ...'"},
     {"bond_style", "write 'link internal NAME k ...'"},
+    {"bond_coeff", "write 'link internal NAME k ...'; here E = k/2 (L - L0)^2, twice LAMMPS's K"},
+    {"angle_style", "write 'link bend NAME k ...'"},
+    {"angle_coeff", "write 'link bend NAME k ...'"},
+    {"delete_bonds", "write 'link ... off'; a cell's links go with it: delete_cells"},
+    {"special_bonds", "there is nothing to choose here: cells that are linked touch all the same"},
+    {"kspace_style", "there are no long-range forces here: force dlvo acts between cells and substratum"},
     {"mass", "mass is a property of each cell: create_cells ... mass, set GROUP mass"},
     {"velocity", "write 'set GROUP vx 0'"},
     {"displace_atoms", "write 'set GROUP z z+1um'"},
     {"delete_atoms", "write delete_cells"},
     {"reset_timestep", "the step is the number of cycles and is not set"},
+    {"neigh_modify", "write 'neighbor skin ...'; lists are rebuilt when they must be"},
+    {"comm_style", "there is nothing to choose here"},
+    {"comm_modify", "there is nothing to choose here"},
     {"newton", "there is nothing to choose here"},
+    {"package", "write 'threads N'"},
+    {"suffix", "write 'threads N'; the fastest code for the processor is chosen when the program starts"},
+    {"partition", "write 'sarcina -replicates N' or 'sarcina -sweep NAME A,B,...'"},
     {"processors", "write 'threads N'"},
+    {"rerun", "write read_restart, or create_cells NAME file FILE"},
+    {"replicate", "write create_cells in a loop: for i in 1..3 ... end"},
+    {"python", "write 'shell ...', or read the CSV files that thermo_modify and dump write"},
 };
+
+const foreign_word *foreign_list(size_t i, foreign_word *out) {
+    if (i >= TABLE_COUNT(lammps))
+        return NULL;
+    *out = lammps[i];
+    return out;
+}
 
 static const char *const closers[] = {"endif", "endfor", "endwhile", "endrepeat", "fi", "done", "next", "wend"};
 

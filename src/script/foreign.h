@@ -6,6 +6,14 @@
 #include "base/diag.h"
 
 #include <stdbool.h>
+#include <stddef.h>
+
+typedef struct foreign_word {
+    const char *name, *instead;
+} foreign_word;
+
+/* The i-th command of LAMMPS that is answered, in *out; NULL when there are fewer. */
+const foreign_word *foreign_list(size_t i, foreign_word *out);
 
 /* Whether name is one of them; then the error says what there is instead. */
 bool foreign_explain(const char *name, diag *d);

@@ -18,8 +18,12 @@ char *help_text(interp *in, const char *asked, diag *d);
  * has. */
 char *help_search(interp *in, const char *text, diag *d);
 
-/* All records as JSON; sarcina(1) describes the schema. The caller frees. */
+/* All records as members of a JSON object, without its braces; the caller frees. */
 char *help_json(const command_table *t);
+
+/* A text as JSON (NULL: null), and "NAME": TEXT with a comma before it where the object has begun. */
+void help_json_text(page *p, const char *text);
+void help_json_member(page *p, const char *name, const char *text);
 
 /* ---- for the files of help ---- */
 

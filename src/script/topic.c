@@ -7,31 +7,39 @@
 #include <string.h>
 
 static const topic_part lines[] = {
-    {"A script is lines of text. A line is one command: a name, its arguments, all parted by blanks or tabs. The command "
+    {"A script is lines of text. A line is one command: a name, its arguments, all parted by blanks or tabs. The "
+     "command "
      "chooses by its record how each stretch behind it is read: as a word, a number, an expression, a text. Names are "
      "lower-case and case counts; a slip is answered with 'did you mean'.",
      "species       pink coccus color pink     # a comment goes to the end of the line\n"
      "create_cells  pink single 0 -3um 0 mass 6e-16kg gap 0",
      "created 1 cell of pink: 3 in all"},
-    {"An & at the end of a line continues it, also before a comment (which LAMMPS takes for text; here it is warned of). "
-     "Lines of comment within a continued command are skipped. A line that ends in && ends in the operator, which stays, "
+    {"An & at the end of a line continues it, also before a comment (which LAMMPS takes for text; here it is warned "
+     "of). "
+     "Lines of comment within a continued command are skipped. A line that ends in && ends in the operator, which "
+     "stays, "
      "and goes on too.",
      "create_cells ecoli single 0 6um 0 &\n"
      "    # where it lies\n"
      "    orient x gap 0",
      "created 1 cell of ecoli: 3 in all"},
-    {"\"...\" and '...' quote one argument; \"\"\"...\"\"\" quotes one over several lines. Inside, # is no comment and other "
-     "quotes stand for themselves; there are no backslash escapes. A closing quote is followed by a blank. A quote within "
+    {"\"...\" and '...' quote one argument; \"\"\"...\"\"\" quotes one over several lines. Inside, # is no comment and "
+     "other "
+     "quotes stand for themselves; there are no backslash escapes. A closing quote is followed by a blank. A quote "
+     "within "
      "a word, as in it's, is a letter.",
      "print \"it's # no comment\"\n"
      "print 'say \"hi\"'",
      "it's # no comment\nsay \"hi\""},
-    {"Tabs, Windows line ends, a byte order mark and a last line without an end are all fine. Texts and comments may hold any "
+    {"Tabs, Windows line ends, a byte order mark and a last line without an end are all fine. Texts and comments may "
+     "hold any "
      "UTF-8; elsewhere a letter that is not ASCII is an error that names it, but for the units um written with a micro "
      "sign and exponents written as superscripts.",
      NULL, NULL},
-    {"A script is checked whole before its first command runs, branches that are not reached included, so that no mistake "
-     "in line 200 shows after three hours. sarcina -check FILE does only that. At the prompt each command is checked by "
+    {"A script is checked whole before its first command runs, branches that are not reached included, so that no "
+     "mistake "
+     "in line 200 shows after three hours. sarcina -check FILE does only that. At the prompt each command is checked "
+     "by "
      "itself. A command that fails leaves the scene as it was.",
      NULL, NULL},
 };
@@ -39,16 +47,19 @@ static const topic_part lines[] = {
 static const topic_part numbers[] = {
     {"A number carries its unit, with no blank between: 0.75um, 4min, 1.23/h, 5e-11N/m, 1e-13N.s/m, 1010kg/m3. Every "
      "argument knows its dimension and refuses others. UDUNITS-2 knows the units; products are written with a point, "
-     "quotients with a slash, exponents behind the unit. A number without a unit is in the script's units: SI, or um, pg "
+     "quotients with a slash, exponents behind the unit. A number without a unit is in the script's units: SI, or um, "
+     "pg "
      "and s after 'units bio'.",
      "species a rod diameter 0.75um\n"
      "species b rod diameter 7.5e-7\n"
      "expect_error \"takes a length, not '1.23/h' (rate)\" \"species a rod diameter 1.23/h\"",
      NULL},
-    {"What looks like a number must be one to its last letter: 1.5.2m, 0x10, inf and 5um@3 are errors. Whole numbers may be "
+    {"What looks like a number must be one to its last letter: 1.5.2m, 0x10, inf and 5um@3 are errors. Whole numbers "
+     "may be "
      "written 1e6. Records give ranges; what is outside is an error, what is unlikely (a cell of 1 m) a warning.",
      "expect_error \"not a number\" \"species a rod diameter 0x10\"", NULL},
-    {"A percentage is of the natural whole: mass 50% of the mass at division, sd 5% of the mean, probability 90% of one.",
+    {"A percentage is of the natural whole: mass 50% of the mass at division, sd 5% of the mean, probability 90% of "
+     "one.",
      "create_cells ecoli single 0 6um 0 mass 50% gap 0", NULL},
     {"Where a distribution may stand: VALUE; VALUE sd SD; uniform LO HI; normal MEAN SD; lognormal MEDIAN GSD, GSD the "
      "geometric standard deviation. It is drawn anew for each cell.",
@@ -61,8 +72,10 @@ static const topic_part numbers[] = {
 };
 
 static const topic_part dollars[] = {
-    {"$x (one letter), ${name} and $(EXPR) are replaced before the command reads its words, once. $(EXPR:%.3f) says the "
-     "format, one of %d %i %f %e %g with flags, width and digits; without one the number is written so that it reads back "
+    {"$x (one letter), ${name} and $(EXPR) are replaced before the command reads its words, once. $(EXPR:%.3f) says "
+     "the "
+     "format, one of %d %i %f %e %g with flags, width and digits; without one the number is written so that it reads "
+     "back "
      "to the bit, with its unit. $$ is a $. $ and several letters are an error: LAMMPS takes $seed for $s and 'eed'.",
      "variable d default 2um\n"
      "print \"${d} is $(2um/1nm:%.0f) nm; $(sqrt(2):%.3f); $$5\"\n"
@@ -72,13 +85,15 @@ static const topic_part dollars[] = {
      "variable n default -2\n"
      "print \"$(${n}^2:%d) $(-2^2:%d)\"",
      "4 -4"},
-    {"Commands given as text (every, then, expect_error), bodies of blocks and their conditions are replaced when they run, "
+    {"Commands given as text (every, then, expect_error), bodies of blocks and their conditions are replaced when they "
+     "run, "
      "each time anew; all else when the line is read. ${here} is the folder of the running script.",
      "for i in 1..2\n"
      "    print \"pass $i\"\n"
      "end",
      "pass 1\npass 2"},
-    {"A variable's first setting by 'variable NAME default' wins: -var NAME TEXT on the command line, a loop, or a script "
+    {"A variable's first setting by 'variable NAME default' wins: -var NAME TEXT on the command line, a loop, or a "
+     "script "
      "that sets it before it includes another. A -var that nothing reads is an error.",
      "variable seed default 7\n"
      "variable seed default 8\n"
@@ -88,34 +103,41 @@ static const topic_part dollars[] = {
 
 static const topic_part expressions[] = {
     {"From loose to tight: ||; &&; == != < <= > >= (which do not chain: write a < b && b < c); + -; * / and % (C's "
-     "remainder); - + ! in front; ^ (from the right, tighter than a minus before it). Names are values, variables, groups, "
+     "remainder); - + ! in front; ^ (from the right, tighter than a minus before it). Names are values, variables, "
+     "groups, "
      "species, regions and analyses; NAME.FIELD is a field, NAME[N] the N-th of a list or the value of cell N; "
      "FUNCTION(...) a call.",
      "print \"$(-2^2:%d) $(2^3^2:%d) $(7 % 3:%d) $(1 < 2 && 2 < 3)\"\n"
      "print \"$(ellipse.major/1um:%.2f) um; cell 2 is at $(y[2]/1um:%.1f) um\"",
      "-4 512 1 1\n4.00 um; cell 2 is at 3.0 um"},
-    {"Values carry their dimension, and what does not fit is an error. A unit stands directly on a number, and only one: "
+    {"Values carry their dimension, and what does not fit is an error. A unit stands directly on a number, and only "
+     "one: "
      "4min, 2um2, 1.23/1h, 5e-11N/1m. Names of units alone are no values, so that C, h and s are free for variables. "
-     "Pure numbers adapt to what they meet: thickness > 0.75 compares in the script's units; thickness/1um is right in all.",
+     "Pure numbers adapt to what they meet: thickness > 0.75 compares in the script's units; thickness/1um is right in "
+     "all.",
      "print \"$(4min/1s:%d) $(2um^2/1um2:%d) $(1.23/1h*1h:%.2f)\"\n"
      "expect_error \"'+' between length and time\" 'print \"$(1um + 1s)\"'\n"
      "expect_error \"a unit stands on a number\" 'print \"$(1.23/h)\"'",
      "240 4 1.23"},
-    {"A value of each cell stands where cells are asked: in columns of dumps, colours, where, groups. Where one number is "
+    {"A value of each cell stands where cells are asked: in columns of dumps, colours, where, groups. Where one number "
+     "is "
      "due, reduce it: mean(z), max(overlap), count(z > 1um), quantile(0.99, speed), each with an optional where. A "
      "species, group or region is true for its cells.",
      "print \"$(mean(length where ecoli)/1um:%.2f) um, $(count(cf && y > 1um)) cell\"\n"
      "expect_error \"value per cell\" 'print \"$(z)\"'",
      "3.00 um, 1 cell"},
-    {"What is undefined (the orientation of one cell) is nan: in tables, and false in comparisons. Division by zero and what "
+    {"What is undefined (the orientation of one cell) is nan: in tables, and false in comparisons. Division by zero "
+     "and what "
      "is not finite are errors. Texts compare by == and !=.",
      "print \"$(species[1] == 'ecoli')\"", "1"},
-    {"In lists (columns) an expression is one word: blanks only within parentheses or quotes. Elsewhere it takes as much as "
+    {"In lists (columns) an expression is one word: blanks only within parentheses or quotes. Elsewhere it takes as "
+     "much as "
      "can belong to it, and ends before the first word that cannot; quotes around the whole of it are allowed.",
      "thermo_style custom step time/1h mean(z, ecoli)/1um \"max(length)/1um\"\n"
      "run 1 grow 4min relax 0.1s until thickness > 0.75um",
      NULL},
-    {"Random numbers of expressions (random, normal, poisson) come from a stream of the script's own and leave that of the "
+    {"Random numbers of expressions (random, normal, poisson) come from a stream of the script's own and leave that of "
+     "the "
      "cells alone.",
      "variable n equal poisson(3)\n"
      "expect_error \"drawn anew\" \"run 5 grow 4min until n > 3\"",
@@ -123,8 +145,10 @@ static const topic_part expressions[] = {
 };
 
 static const topic_part values[] = {
-    {"Values of the scene are numbers anywhere. Measures are values by their own name, over all cells; analyze names one for "
-     "a group. Values of each cell stand where cells are asked, or reduced, or as NAME[ID] for one cell. Names of groups, "
+    {"Values of the scene are numbers anywhere. Measures are values by their own name, over all cells; analyze names "
+     "one for "
+     "a group. Values of each cell stand where cells are asked, or reduced, or as NAME[ID] for one cell. Names of "
+     "groups, "
      "species and regions are 1 or 0 for each cell.",
      "print \"$(cells) cells, $(thickness/1um:%.3f) um, $(length[1]/1um:%.2f) um\"", "2 cells, 0.414 um, 3.00 um"},
 };
@@ -132,11 +156,13 @@ static const topic_part values[] = {
 static const topic_part functions[] = {
     {"Functions of numbers, and reductions of the values of cells, or of a list, to one number.",
      "variable t list 1 2 3 4\n"
-     "print \"$(hypot(3um, 4um)/1um:%d) $(mean(t)) $(quantile(0.5, t)) $(fraction(ecoli))\"", "5 2.5 2.5 0.5"},
+     "print \"$(hypot(3um, 4um)/1um:%d) $(mean(t)) $(quantile(0.5, t)) $(fraction(ecoli))\"",
+     "5 2.5 2.5 0.5"},
 };
 
 static const topic_part blocks[] = {
-    {"Blocks go over lines and are closed by end, in files, pipes and at the prompt alike. There is no jump, label or next.",
+    {"Blocks go over lines and are closed by end, in files, pipes and at the prompt alike. There is no jump, label or "
+     "next.",
      "variable n list\n"
      "for i in 1..3\n"
      "    if $i == 2\n"
@@ -144,16 +170,21 @@ static const topic_part blocks[] = {
      "    end\n"
      "    variable n append $i\n"
      "end\n"
-     "print \"$(sum(n)) of $(count(n))\"", "4 of 2"},
+     "print \"$(sum(n)) of $(count(n))\"",
+     "4 of 2"},
 };
 
 static const topic_part names[] = {
-    {"Letters, digits and _, a letter or _ first. Variables, analyses, groups, species, regions, values and functions share "
-     "one space of names, so that a name means one thing everywhere; a clash is an error where it is made. IDs of dumps "
-     "are free. Reserved are all now off where vs file every until approx then yes no INF. Names of commands are free: a "
+    {"Letters, digits and _, a letter or _ first. Variables, analyses, groups, species, regions, values and functions "
+     "share "
+     "one space of names, so that a name means one thing everywhere; a clash is an error where it is made. IDs of "
+     "dumps "
+     "are free. Reserved are all now off where vs file every until approx then yes no INF. Names of commands are free: "
+     "a "
      "variable may be called grow.",
      "expect_error \"value of the cells already\" \"variable x default 3\"\n"
-     "expect_error \"already a species\" \"group ecoli where z > 1um\"", NULL},
+     "expect_error \"already a species\" \"group ecoli where z > 1um\"",
+     NULL},
     {"LAMMPS's v_NAME and c_NAME are understood as NAME.", "variable h0 equal 2um\nprint \"$(v_h0/1um:%d)\"", "2"},
 };
 
@@ -161,31 +192,41 @@ static const topic_part arguments[] = {
     {"Arguments in their place come first, in order; keywords follow in any order, each once. All are read and checked "
      "before anything changes. What a record calls required must be there the first time.",
      "expect_error \"twice\" \"force collision k 1e-10N/m k 2e-10N/m\"\n"
-     "expect_error \"did you mean 'reach'\" \"force collision raech 1.01\"", NULL},
-    {"The same head again amends the keywords that are named and leaves the others. off in the place of the arguments takes "
+     "expect_error \"did you mean 'reach'\" \"force collision raech 1.01\"",
+     NULL},
+    {"The same head again amends the keywords that are named and leaves the others. off in the place of the arguments "
+     "takes "
      "out what the head names.",
      "force dlvo ces 1e-22N.m kappa 5e7/m\n"
      "force dlvo kappa 4e7/m\n"
-     "force dlvo off", NULL},
-    {"Wherever 'every' or an interval stands, N is cycles or a time. In names of output files * is the step. In the place of "
+     "force dlvo off",
+     NULL},
+    {"Wherever 'every' or an interval stands, N is cycles or a time. In names of output files * is the step. In the "
+     "place of "
      "a species * is every species so far. GROUP is all, a species, a region, or a group.",
      "thermo 20min\n"
      "dump d all csv 2 cells.*.csv id x y\n"
-     "link internal * k 5e-11N/m", NULL},
+     "link internal * k 5e-11N/m",
+     NULL},
 };
 
 static const topic_part colors[] = {
-    {"A colour is one of these names, or \"#rrggbb\" or \"#rgb\" in quotes, since # begins a comment. Where a colour may be "
-     "computed, a value of each cell stands in its place: its numbers go through a map of colours (viridis plasma magma "
+    {"A colour is one of these names, or \"#rrggbb\" or \"#rgb\" in quotes, since # begins a comment. Where a colour "
+     "may be "
+     "computed, a value of each cell stands in its place: its numbers go through a map of colours (viridis plasma "
+     "magma "
      "inferno cividis coolwarm gray).",
      "species blue coccus color \"#377eb8\"\n"
      "write_dump all image a.png z map plasma size 320 240\n"
-     "write_dump all image b.png orange background \"#102030\" size 320 240", NULL},
+     "write_dump all image b.png orange background \"#102030\" size 320 240",
+     NULL},
 };
 
 static const topic_part accuracy[] = {
-    {"How exactly the motion is solved, from quick to exact. A preset chooses a method and its step and never physics: growth "
-     "step, relaxation time and contact law are the script's.", "accuracy paper", NULL},
+    {"How exactly the motion is solved, from quick to exact. A preset chooses a method and its step and never physics: "
+     "growth "
+     "step, relaxation time and contact law are the script's.",
+     "accuracy paper", NULL},
 };
 
 static const topic_part integrators[] = {
@@ -194,48 +235,57 @@ static const topic_part integrators[] = {
 };
 
 static const topic_part forces[] = {
-    {"All terms of the force on a particle. Those of springs come with link, the plane with substratum, the others with "
-     "force.", NULL, NULL},
+    {"All terms of the force on a particle. Those of springs come with link, the plane with substratum, the others "
+     "with "
+     "force.",
+     NULL, NULL},
 };
 
 static const topic_part random_numbers[] = {
-    {"Every random number is a function of the seed, its purpose, the cell's id and the step. The same seed gives the same "
-     "bits for any number of threads, after a restart, and by whichever way the commands came: a file, a pipe, -e, include "
-     "or the prompt.", "clear\nseed 7", NULL},
+    {"Every random number is a function of the seed, its purpose, the cell's id and the step. The same seed gives the "
+     "same "
+     "bits for any number of threads, after a restart, and by whichever way the commands came: a file, a pipe, -e, "
+     "include "
+     "or the prompt.",
+     "clear\nseed 7", NULL},
 };
 
 static const topic_part errors[] = {
-    {"An error says file, line and column, shows the line with a caret under the word, says what was due, and often what to "
+    {"An error says file, line and column, shows the line with a caret under the word, says what was due, and often "
+     "what to "
      "write instead; the line as it read after $ was replaced, and the loops and includes it stood in, where there are "
-     "any. All mistakes of a script are listed before it runs. Warnings are limited and counted; 'warn error' makes them "
+     "any. All mistakes of a script are listed before it runs. Warnings are limited and counted; 'warn error' makes "
+     "them "
      "errors.",
      "expect_error \"did you mean 'create_cells'\" \"creat_cells ecoli single 0 0 0\"", NULL},
     {"The exit code of sarcina:", NULL, NULL},
 };
 
 static const topic_part tests[] = {
-    {"expect and expect_error make a script a test of itself. sarcina -test PATH... runs every *.test.in of the files and "
-     "folders given, each in a folder of its own, counts what holds and what does not, and prints N passed, N failed. A "
+    {"expect and expect_error make a script a test of itself. sarcina -test PATH... runs every *.test.in of the files "
+     "and "
+     "folders given, each in a folder of its own, counts what holds and what does not, and prints N passed, N failed. "
+     "A "
      "line '# ref: TABLE.csv rel R column NAME abs A' at the head of a test compares a CSV file that it writes with "
      "TABLE.csv.ref beside the script, number by number.",
      "expect thickness approx 0.414um rel 1%\n"
-     "expect_error \"more than 0\" \"species a rod diameter -1um\"", NULL},
+     "expect_error \"more than 0\" \"species a rod diameter -1um\"",
+     NULL},
 };
 
-#define TOPIC(id, title_, rows_, words_) {#id, title_, id, TABLE_COUNT(id), rows_, words_}
+#define TOPIC(id, title_, rows_, words_)                                                                               \
+    { #id, title_, id, TABLE_COUNT(id), rows_, words_ }
 
-static const char *const line_words[] = {"quotes", "comments", "continuation", "utf-8", NULL},
-                         *const number_words[] = {"units", "dimensions", "distributions", "percent", "spread", NULL},
-                         *const dollar_words[] = {"variables", "substitution", "formats", "$", NULL},
-                         *const expression_words[] = {"operators", "formula", NULL},
-                         *const function_words[] = {"reductions", NULL},
-                         *const block_words[] = {"loops", "jump", "label", "next", NULL},
-                         *const argument_words[] = {"keywords", "off", "*", NULL},
-                         *const color_words[] = {"colours", "maps", "map", NULL},
-                         *const preset_words[] = {"reference", "paper", NULL},
-                         *const random_words[] = {"randomness", "reproducibility", NULL},
-                         *const error_words[] = {"warnings", "exit", "codes", NULL},
-                         *const test_words[] = {"testing", "ref", NULL};
+static const char *const
+    line_words[] = {"quotes", "comments", "continuation", "utf-8", NULL},
+    *const number_words[] = {"units", "dimensions", "distributions", "percent", "spread", NULL},
+    *const dollar_words[] = {"variables", "substitution", "formats", "$", NULL},
+    *const expression_words[] = {"operators", "formula", NULL}, *const function_words[] = {"reductions", NULL},
+    *const block_words[] = {"loops", "jump", "label", "next", NULL},
+    *const argument_words[] = {"keywords", "off", "*", NULL}, *const color_words[] = {"colours", "maps", "map", NULL},
+    *const preset_words[] = {"reference", "paper", NULL},
+    *const random_words[] = {"randomness", "reproducibility", NULL},
+    *const error_words[] = {"warnings", "exit", "codes", NULL}, *const test_words[] = {"testing", "ref", NULL};
 
 const topic topics[] = {
     TOPIC(lines, "Lines, words and quotes", NULL, line_words),

@@ -39,7 +39,8 @@ bool topic_row_dimension(size_t i, page *name, page *text) {
     return true;
 }
 
-static const char *const scopes[] = {"of each cell", "of the scene", "a measure of all cells; with analyze, of a group"};
+static const char *const scopes[] = {"of each cell", "of the scene",
+                                     "a measure of all cells; with analyze, of a group"};
 
 bool topic_row_value(size_t i, page *name, page *text) {
     /* values of the scene first, then measures, then those of cells */
@@ -104,7 +105,8 @@ bool topic_row_integrator(size_t i, page *name, page *text) {
     const integrator_style *s = integrator_styles[i];
     page_put(name, "%s", s->name);
     page_put(text, "%s; order %d, %s. Source: %s", s->summary, s->order,
-             s->caps & INTEGRATOR_ADAPTIVE ? "step by error control" : "step from the stiffness of the scene", s->source);
+             s->caps & INTEGRATOR_ADAPTIVE ? "step by error control" : "step from the stiffness of the scene",
+             s->source);
     return true;
 }
 
