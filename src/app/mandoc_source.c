@@ -61,7 +61,7 @@ static void put_topic(page *p, const topic *t) {
 
 void mandoc_topics(page *p) {
     for (size_t i = 0; i < topic_count; i++)
-        put_topic(p, &topics[i]);
+        put_topic(p, &topic_list[i]);
 }
 
 static void put_options(page *p) {

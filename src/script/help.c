@@ -44,7 +44,7 @@ static void put_overview(page *p, const command_table *t) {
         put_line(p, control_words[i].name, control_words[i].summary);
     page_put(p, "Topics\n");
     for (size_t i = 0; i < topic_count; i++)
-        put_line(p, topics[i].name, topics[i].title);
+        put_line(p, topic_list[i].name, topic_list[i].title);
     page_put(p, "'help NAME' explains a command, topic, value or function; 'help dump image' one form of a command; "
                 "'apropos WORD' searches all of it.");
 }
@@ -155,7 +155,7 @@ static char *refuse(const command_table *t, const char *asked, diag *d) {
     for (size_t i = 0; i < control_word_count; i++)
         names_add(&l, control_words[i].name);
     for (size_t i = 0; i < topic_count; i++)
-        names_add(&l, topics[i].name);
+        names_add(&l, topic_list[i].name);
     for (size_t i = 0; i < value_style_count; i++)
         names_add(&l, value_styles[i].name);
     for (size_t i = 0; i < function_style_count; i++)

@@ -170,7 +170,7 @@ char *help_json(const command_table *t) {
         put_entry(&p, i == 0, control_words[i].name, control_words[i].usage, control_words[i].summary);
     page_put(&p, "],\n\"topics\": [");
     for (size_t i = 0; i < topic_count; i++)
-        put_entry(&p, i == 0, topics[i].name, NULL, topics[i].title);
+        put_entry(&p, i == 0, topic_list[i].name, NULL, topic_list[i].title);
     page_put(&p, "]");
     return p.chars;
 }

@@ -92,7 +92,7 @@ static void look_everywhere(search *s, const command_table *t) {
     for (size_t i = 0; i < control_word_count; i++)
         look(s, control_words[i].name, control_words[i].summary, control_words[i].details);
     for (size_t i = 0; i < topic_count; i++)
-        look_at_topic(s, &topics[i]);
+        look_at_topic(s, &topic_list[i]);
     for (size_t i = 0; i < value_style_count; i++)
         look(s, value_styles[i].name, value_styles[i].summary, value_styles[i].fields);
     for (size_t i = 0; i < function_style_count; i++)

@@ -287,7 +287,7 @@ static const char *const
     *const random_words[] = {"randomness", "reproducibility", NULL},
     *const error_words[] = {"warnings", "exit", "codes", NULL}, *const test_words[] = {"testing", "ref", NULL};
 
-const topic topics[] = {
+const topic topic_list[] = {
     TOPIC(lines, "Lines, words and quotes", NULL, line_words),
     TOPIC(numbers, "Numbers, units and distributions", topic_row_dimension, number_words),
     TOPIC(dollars, "Variables in a line: what $ does", NULL, dollar_words),
@@ -305,15 +305,15 @@ const topic topics[] = {
     TOPIC(errors, "Errors, warnings and exit codes", topic_row_exit, error_words),
     TOPIC(tests, "Scripts that test", NULL, test_words),
 };
-const size_t topic_count = TABLE_COUNT(topics);
+const size_t topic_count = TABLE_COUNT(topic_list);
 
 const topic *topic_find(const char *name) {
-    ptrdiff_t row = table_find(topics, topic_count, sizeof *topics, name);
+    ptrdiff_t row = table_find(topic_list, topic_count, sizeof *topic_list, name);
     if (row >= 0)
-        return &topics[row];
+        return &topic_list[row];
     for (size_t i = 0; i < topic_count; i++)
-        for (const char *const *w = topics[i].words; w && *w; w++)
+        for (const char *const *w = topic_list[i].words; w && *w; w++)
             if (strcmp(*w, name) == 0)
-                return &topics[i];
+                return &topic_list[i];
     return NULL;
 }

@@ -28,7 +28,7 @@ typedef struct topic {
     const char *const *words; /* other words that lead here, ended by NULL; NULL: none */
 } topic;
 
-extern const topic topics[];
+extern const topic topic_list[];
 extern const size_t topic_count;
 
 /* The topic called so, or one that the word leads to; NULL. */

@@ -108,18 +108,18 @@ static void test_topics(void **state) {
     (void)state;
     size_t wrong = 0, ran = 0, compared = 0;
     for (size_t i = 0; i < topic_count; i++)
-        for (size_t k = 0; k < topics[i].nparts; k++) {
-            const topic_part *part = &topics[i].parts[k];
+        for (size_t k = 0; k < topic_list[i].nparts; k++) {
+            const topic_part *part = &topic_list[i].parts[k];
             if (!part->example)
                 continue;
-            bool right = runs(topics[i].name, part->example);
+            bool right = runs(topic_list[i].name, part->example);
             ran++;
             if (right && part->prints) {
                 char *due = alloc_format("%s\n", part->prints);
                 right = strcmp(due, host.printed) == 0;
                 compared++;
                 if (!right)
-                    printf("%s:\n%s\ndue: %sseen: %s\n", topics[i].name, part->example, due, host.printed);
+                    printf("%s:\n%s\ndue: %sseen: %s\n", topic_list[i].name, part->example, due, host.printed);
                 free(due);
             }
             wrong += !right;
