@@ -71,23 +71,25 @@ COMPONENT_VALUE(fx, force_of, 0)
 COMPONENT_VALUE(fy, force_of, 1)
 COMPONENT_VALUE(fz, force_of, 2)
 
-/* The shortest rotation (i, j, k, w) from z to the axis, or to its opposite where that is nearer: a capsule has no
- * head, and so nothing is divided by zero. */
+void cell_quaternion(const double u[3], double q[4]) {
+    double sign = u[2] < 0 ? -1 : 1;
+    double w = u[0] == 0 && u[1] == 0 ? 1 : sqrt(0.5 * (1 + sign * u[2]));
+    q[0] = -sign * u[1] / (2 * w) + 0.0; /* no -0 */
+    q[1] = sign * u[0] / (2 * w) + 0.0;
+    q[2] = 0;
+    q[3] = w;
+}
+
 static void quaternion_of(const view *v, uint32_t row, double q[4]) {
     double u[3];
     colony_axis(v->colony, row, u);
-    double sign = u[2] < 0 ? -1 : 1;
-    double w = u[0] == 0 && u[1] == 0 ? 1 : sqrt(0.5 * (1 + sign * u[2]));
-    q[0] = -sign * u[1] / (2 * w);
-    q[1] = sign * u[0] / (2 * w);
-    q[2] = 0;
-    q[3] = w;
+    cell_quaternion(u, q);
 }
 #define QUATERNION_VALUE(name, i)                                                                                      \
     double cell_##name(const view *v, uint32_t row) {                                                                  \
         double q[4];                                                                                                   \
         quaternion_of(v, row, q);                                                                                      \
-        return q[i] + 0.0; /* no -0 */                                                                                 \
+        return q[i];                                                                                                   \
     }
 QUATERNION_VALUE(quati, 0)
 QUATERNION_VALUE(quatj, 1)

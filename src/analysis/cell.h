@@ -53,6 +53,10 @@
 CELL_VALUES
 #undef CELL_VALUE
 
+/* The shortest rotation (i, j, k, w) from z to an axis (unit vector, or 0 0 0: none), or to its opposite where that is
+ * nearer: a capsule has no head, and so nothing is divided by zero. */
+void cell_quaternion(const double u[3], double q[4]);
+
 /* Name of its species; belongs to the species table. */
 const char *cell_species(const view *v, uint32_t row);
 

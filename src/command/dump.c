@@ -59,7 +59,9 @@ static int read_image(const args *a, bool amends, image_options *o, diag *d) {
     if (wants(a, "axes", amends))
         o->axes = args_flag(a, "axes");
     if (wants(a, "springs", amends))
-        o->springs = args_flag(a, "springs");
+        o->springs = (image_springs)args_choice(a, "springs");
+    if (wants(a, "legend", amends))
+        o->legend = args_flag(a, "legend");
     if (wants(a, "map", amends))
         o->map = args_choice(a, "map");
     if (args_given(a, "range")) {
@@ -110,8 +112,10 @@ static int read_content(interp *in, const args *a, const dump_style *style, outp
     *columns = NULL;
     *n = 0;
     *image = image_defaults();
-    if (style->takes == DUMP_COLOR) {
+    if (style->takes == DUMP_COLOR || style->takes == DUMP_FILM) {
         status = read_image(a, false, image, d);
+        if (style->takes == DUMP_FILM)
+            image->fps = (int)args_int(a, "fps");
         if (!status)
             status = read_color(in, a, "COLOR", columns, image, d);
         *n = *columns != NULL;
@@ -178,7 +182,8 @@ static int run_off(interp *in, const args *a, diag *d) {
 }
 
 static bool is_image(const output_dump *p) {
-    return dump_styles[dump_style_of(p->file)]->takes == DUMP_COLOR;
+    dump_takes takes = dump_styles[dump_style_of(p->file)]->takes;
+    return takes == DUMP_COLOR || takes == DUMP_FILM;
 }
 
 /* A keyword of pictures given for a dump that is none. */
@@ -327,7 +332,9 @@ static const name_class dump_class = {"dump", "a dump", true, false, count_dumps
 
 static const param dump_nothing[] = {DUMP_PLACES}, dump_columns[] = {DUMP_PLACES, {"COLUMN:cell...", DUMP_COLUMN}},
                    dump_any[] = {DUMP_PLACES, {"COLUMN:cell0...", DUMP_COLUMN}},
-                   dump_colors[] = {DUMP_PLACES, DUMP_COLORS}, now_nothing[] = {DUMP_GROUP, DUMP_FILE},
+                   dump_colors[] = {DUMP_PLACES, DUMP_COLORS},
+                   film_params[] = {DUMP_PLACES, {"fps=24:int[1,240]", "frames a second"}, DUMP_COLORS},
+                   now_nothing[] = {DUMP_GROUP, DUMP_FILE},
                    now_columns[] = {DUMP_GROUP, DUMP_FILE, {"COLUMN:cell...", DUMP_COLUMN}},
                    now_any[] = {DUMP_GROUP, DUMP_FILE, {"COLUMN:cell0...", DUMP_COLUMN}},
                    now_colors[] = {DUMP_GROUP, DUMP_FILE, DUMP_COLORS};
@@ -343,6 +350,7 @@ static const struct {
                       TABLE_COUNT(now_columns)},
     [DUMP_ANY_COLUMNS] = {" COLUMN:cell0...", dump_any, now_any, TABLE_COUNT(dump_any), TABLE_COUNT(now_any)},
     [DUMP_COLOR] = {" COLOR:cellcolor", dump_colors, now_colors, TABLE_COUNT(dump_colors), TABLE_COUNT(now_colors)},
+    [DUMP_FILM] = {" COLOR:cellcolor", film_params, NULL, TABLE_COUNT(film_params), 0}, /* a film wants many frames */
 };
 
 static void add_style(command_table *t, int i) {
@@ -355,6 +363,8 @@ static void add_style(command_table *t, int i) {
     char *head = alloc_format("dump ID:+dump GROUP:group %s N:cycles[1,) FILE:file%s", s->name, content);
     command_add_style(t, &along, head, s->summary, contents[s->takes].dump, contents[s->takes].ndump, i);
     free(head);
+    if (!contents[s->takes].now)
+        return;
     head = alloc_format("write_dump GROUP:group %s FILE:file%s", s->name, content);
     command_add_style(t, &now, head, s->summary, contents[s->takes].now, contents[s->takes].nnow, i);
     free(head);

@@ -213,8 +213,7 @@ bool output_list_resumes(const outputs *o, const char *path, uint64_t *step) {
 /* One line each: what it is, its numbers, then the name that may hold blanks. */
 static void save_dump(FILE *out, const output_dump *p) {
     fprintf(out, "dump %" PRIu64 " %s\n", dump_last(p->file), p->id);
-    if (!strchr(dump_pattern(p->file), '*'))
-        fprintf(out, "file %s\n", dump_pattern(p->file));
+    fprintf(out, "file %s\n", dump_pattern(p->file));
 }
 
 static void save_analysis(FILE *out, const output_analysis *p) {

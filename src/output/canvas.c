@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Letters are those of A. V. Hershey's Simplex Roman strokes (U.S. National Bureau of Standards, 1967; free for any
- * use), drawn as lines with round ends. */
 #include "output/canvas.h"
 
 #include "base/alloc.h"
+#include "output/glyph.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #if SARCINA_HAVE_IMAGE
 #include <png.h>
@@ -70,59 +68,10 @@ void canvas_box(canvas *c, double x0, double y0, double x1, double y1, rgb color
             blend(c, x, y, color, cover_1d(x, x0, x1) * cover_1d(y, y0, y1) * opacity);
 }
 
-enum { UP = -99, GLYPH_HEIGHT = 21, GLYPH_POINTS = 64 };
-
-/* Strokes as x, y pairs on a grid where digits are 21 high; UP, UP lifts the pen. */
-typedef struct glyph {
-    char letter;
-    signed char width, points, xy[2 * GLYPH_POINTS];
-} glyph;
-
-static const glyph glyphs[] = {
-    {'0', 20, 17, {9, 21, 6, 20, 4, 17, 3, 12, 3,  9,  4,  4,  6,  1,  9,  0, 11,
-                   0, 14, 1, 16, 4, 17, 9, 17, 12, 16, 17, 14, 20, 11, 21, 9, 21}},
-    {'1', 20, 4, {6, 17, 8, 18, 11, 21, 11, 0}},
-    {'2', 20, 14, {4,  16, 4,  17, 5,  19, 6,  20, 8,  21, 12, 21, 14, 20,
-                   15, 19, 16, 17, 16, 15, 15, 13, 13, 10, 3,  0,  17, 0}},
-    {'3', 20, 15, {5, 21, 16, 21, 10, 13, 13, 13, 15, 12, 16, 11, 17, 8, 17,
-                   6, 16, 3,  14, 1,  11, 0,  8,  0,  5,  1,  4,  2,  3, 4}},
-    {'4', 20, 6, {13, 21, 3, 7, 18, 7, UP, UP, 13, 21, 13, 0}},
-    {'5', 20, 17, {15, 21, 5, 21, 4, 12, 5, 13, 8, 14, 11, 14, 14, 13, 16, 11, 17,
-                   8,  17, 6, 16, 3, 14, 1, 11, 0, 8,  0,  5,  1,  4,  2,  3,  4}},
-    {'6', 20, 23, {16, 18, 15, 20, 12, 21, 10, 21, 7, 20, 5,  17, 4,  12, 4,  7,  5,  3, 7,  1, 10, 0, 11,
-                   0,  14, 1,  16, 3,  17, 6,  17, 7, 16, 10, 14, 12, 11, 13, 10, 13, 7, 12, 5, 10, 4, 7}},
-    {'7', 20, 5, {17, 21, 7, 0, UP, UP, 3, 21, 17, 21}},
-    {'8', 20, 29, {8,  21, 5,  20, 4,  18, 4,  16, 5,  14, 7,  13, 11, 12, 14, 11, 16, 9, 17, 7,
-                   17, 4,  16, 2,  15, 1,  12, 0,  8,  0,  5,  1,  4,  2,  3,  4,  3,  7, 4,  9,
-                   6,  11, 9,  12, 13, 13, 15, 14, 16, 16, 16, 18, 15, 20, 12, 21, 8,  21}},
-    {'9', 20, 23, {16, 14, 15, 11, 13, 9,  10, 8,  9,  8,  6, 9,  4, 11, 3, 14, 3, 15, 4, 18, 6, 20, 9,
-                   21, 10, 21, 13, 20, 15, 18, 16, 14, 16, 9, 15, 4, 13, 1, 10, 0, 8,  0, 5,  1, 4,  3}},
-    {'.', 10, 5, {5, 2, 4, 1, 5, 0, 6, 1, 5, 2}},
-    {'-', 26, 2, {4, 9, 22, 9}},
-    {' ', 12, 0, {0}},
-    {'e', 18, 17, {3,  8, 15, 8, 15, 10, 14, 12, 13, 13, 11, 14, 8, 14, 6, 13, 4,
-                   11, 3, 8,  3, 6,  4,  3,  6,  1,  8,  0,  11, 0, 13, 1, 15, 3}},
-    {'k', 17, 8, {4, 21, 4, 0, UP, UP, 14, 14, 4, 4, UP, UP, 8, 8, 15, 0}},
-    {'m', 30, 18, {4,  14, 4,  0,  UP, UP, 4,  10, 7,  13, 9,  14, 12, 14, 14, 13, 15, 10,
-                   15, 0,  UP, UP, 15, 10, 18, 13, 20, 14, 23, 14, 25, 13, 26, 10, 26, 0}},
-    {'n', 19, 10, {4, 14, 4, 0, UP, UP, 4, 10, 7, 13, 9, 14, 12, 14, 14, 13, 15, 10, 15, 0}},
-    {'u', 19, 10, {4, 14, 4, -7, UP, UP, 4, 4, 5, 1, 7, 0, 10, 0, 12, 1, 15, 4, 15, 14}},
-    {'x', 17, 5, {3, 14, 14, 0, UP, UP, 14, 14, 3, 0}},
-    {'y', 16, 9, {2, 14, 8, 0, UP, UP, 14, 14, 8, 0, 6, -4, 4, -6, 2, -7, 1, -7}},
-    {'z', 17, 8, {14, 14, 3, 0, UP, UP, 3, 14, 14, 14, UP, UP, 3, 0, 14, 0}},
-};
-
-static const glyph *find_glyph(char letter) {
-    for (size_t i = 0; i < sizeof glyphs / sizeof *glyphs; i++)
-        if (glyphs[i].letter == letter)
-            return &glyphs[i];
-    return find_glyph(' ');
-}
-
 static void draw_glyph(canvas *c, const glyph *g, double x, double y, double scale, rgb color) {
     for (int i = 0; i + 1 < g->points; i++) {
         const signed char *p = g->xy + 2 * i;
-        if (p[0] != UP && p[2] != UP)
+        if (p[0] != GLYPH_UP && p[2] != GLYPH_UP)
             canvas_line(c, x + scale * p[0], y - scale * p[1], x + scale * p[2], y - scale * p[3], 2.4 * scale, color,
                         1);
     }
@@ -130,8 +79,8 @@ static void draw_glyph(canvas *c, const glyph *g, double x, double y, double sca
 
 void canvas_text(canvas *c, double x, double y, double height, const char *text, rgb color) {
     double scale = height / GLYPH_HEIGHT;
-    for (; *text; text++) {
-        const glyph *g = find_glyph(*text);
+    for (const char *at = text; *at; at++) {
+        const glyph *g = glyph_find(text, at);
         draw_glyph(c, g, x, y, scale, color);
         x += scale * g->width;
     }
@@ -139,25 +88,32 @@ void canvas_text(canvas *c, double x, double y, double height, const char *text,
 
 double canvas_text_width(const char *text, double height) {
     double width = 0;
-    for (; *text; text++)
-        width += find_glyph(*text)->width;
+    for (const char *at = text; *at; at++)
+        width += glyph_find(text, at)->width;
     return width * height / GLYPH_HEIGHT;
 }
 
-#if SARCINA_HAVE_IMAGE
-
-static png_byte to_byte(float x) {
-    return (png_byte)lrintf(255 * fminf(fmaxf(x, 0), 1));
+static unsigned char to_byte(float x) {
+    return (unsigned char)lrintf(255 * fminf(fmaxf(x, 0), 1));
 }
 
-int canvas_write_png(const canvas *c, const char *path, diag *d) {
-    size_t n = (size_t)c->width * (size_t)c->height;
-    png_byte *bytes = alloc_zeroed(3 * n, 1);
-    for (size_t i = 0; i < n; i++) {
+unsigned char *canvas_bytes(const canvas *c, size_t *n) {
+    size_t pixels = (size_t)c->width * (size_t)c->height;
+    unsigned char *bytes = alloc_zeroed(pixels, 3);
+    for (size_t i = 0; i < pixels; i++) {
         bytes[3 * i] = to_byte(c->pixels[i].r);
         bytes[3 * i + 1] = to_byte(c->pixels[i].g);
         bytes[3 * i + 2] = to_byte(c->pixels[i].b);
     }
+    *n = 3 * pixels;
+    return bytes;
+}
+
+#if SARCINA_HAVE_IMAGE
+
+int canvas_write_png(const canvas *c, const char *path, diag *d) {
+    size_t n;
+    unsigned char *bytes = canvas_bytes(c, &n);
     png_image image = {.version = PNG_IMAGE_VERSION,
                        .width = (png_uint_32)c->width,
                        .height = (png_uint_32)c->height,

@@ -20,10 +20,13 @@ void canvas_line(canvas *c, double x0, double y0, double x1, double y1, double t
 
 void canvas_box(canvas *c, double x0, double y0, double x1, double y1, rgb color, double opacity);
 
-/* Text of digits, blanks, `.`, `-` and the letters e k m n x y z, "u" being drawn as the Greek mu; height is that of
- * a digit, (x, y) the left end of the base line. canvas_text_width: how far it reaches. */
+/* Text in the letters of glyph.h; height is that of a digit, (x, y) the left end of the base line. canvas_text_width:
+ * how far it reaches. */
 void canvas_text(canvas *c, double x, double y, double height, const char *text, rgb color);
 double canvas_text_width(const char *text, double height);
+
+/* Red, green, blue of each pixel, row by row, 8 bits each; *n: how many bytes. The caller frees. */
+unsigned char *canvas_bytes(const canvas *c, size_t *n);
 
 /* 8 bits a colour. Fails where the build has no libpng. */
 int canvas_write_png(const canvas *c, const char *path, diag *d);

@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/path.h"
 #include "base/table.h"
+#include "output/collection.h"
 #include "output/field.h"
 #include "output/dump/styles.h"
 #include "output/stream.h"
@@ -31,8 +32,11 @@ struct dump {
     int style;
     char *pattern;
     int pad;
-    stream *file;  /* of many steps; NULL: one file a step */
-    uint64_t last; /* step written last; UINT64_MAX: none */
+    stream *file;                     /* of many steps; NULL: one file a step */
+    uint64_t last;                    /* step written last; UINT64_MAX: none */
+    collection *index, *beside_index; /* of styles that have them */
+    void *film;                       /* of styles that have one, once begun */
+    char *film_path;
 };
 
 char *dump_file_name(const char *pattern, uint64_t step, int pad) {
@@ -49,8 +53,25 @@ char *dump_file_name(const char *pattern, uint64_t step, int pad) {
     }
 }
 
+/* NAME.*.EXTENSION has NAME.beside.*.EXTENSION beside it; without *, NAME.beside.EXTENSION. The caller frees. */
+static char *name_beside(const char *pattern, const char *beside) {
+    size_t at = strcspn(pattern, "*"), end = strlen(pattern);
+    const char *slash = strrchr(pattern, '/'), *dot = strrchr(pattern, '.');
+    size_t base = slash ? (size_t)(slash - pattern) + 1 : 0;
+    if (at == end && dot && (size_t)(dot - pattern) > base) /* before the extension */
+        return alloc_format("%.*s.%s%s", (int)(dot - pattern), pattern, beside, dot);
+    if (at == end)
+        return alloc_format("%s.%s", pattern, beside);
+    char joint[2] = {at > 0 && strchr("._-", pattern[at - 1]) ? pattern[at - 1] : '.', '\0'};
+    size_t n = at > 0 && joint[0] == pattern[at - 1] ? at - 1 : at;
+    bool bare = n == 0 || pattern[n - 1] == '/';
+    return alloc_format("%.*s%s%s%s%s", (int)n, pattern, bare ? "" : joint, beside, joint, pattern + at);
+}
+
 int dump_check(int style, const char *pattern, bool now, diag *d) {
     const dump_style *s = dump_styles[style];
+    if (s->film && strchr(pattern, '*'))
+        return diag_error(d, "a %s is one file: '%s' has a *", s->name, pattern);
     if (!now && !s->many && !strchr(pattern, '*'))
         return diag_error(d, "a dump of style %s writes one file a step: '%s' needs a * where the step goes", s->name,
                           pattern);
@@ -65,15 +86,30 @@ dump *dump_create(int style, const char *pattern) {
     p->style = style;
     p->pattern = alloc_copy(pattern);
     p->last = UINT64_MAX;
-    if (!strchr(pattern, '*'))
-        p->file = stream_create(pattern, dump_styles[style] == &dump_custom ? STREAM_DUMP : STREAM_CSV, 0);
+    const dump_style *s = dump_styles[style];
+    if (s->film)
+        p->film_path = alloc_copy(pattern);
+    else if (!strchr(pattern, '*'))
+        p->file = stream_create(pattern, s->blocks, 0);
+    if (s->indexed)
+        p->index = collection_create(pattern);
+    if (s->indexed && s->beside) {
+        char *beside = name_beside(pattern, s->beside);
+        p->beside_index = collection_create(beside);
+        free(beside);
+    }
     return p;
 }
 
 void dump_free(dump *p) {
     if (!p)
         return;
+    if (p->film)
+        dump_styles[p->style]->film->end(p->film, NULL);
     stream_free(p->file);
+    collection_free(p->index);
+    collection_free(p->beside_index);
+    free(p->film_path);
     free(p->pattern);
     free(p);
 }
@@ -99,7 +135,22 @@ uint64_t dump_last(const dump *p) {
 }
 
 int dump_open(dump *p, diag *d) {
+    const dump_style *s = dump_styles[p->style];
+    if (s->film && !s->missing && !p->film && s->film->ready(d))
+        return SARCINA_ERROR;
     return p->file ? stream_open(p->file, d) : dump_check(p->style, p->pattern, false, d);
+}
+
+static int write_text(const dump_frame *f, const char *path, int (*write)(const dump_frame *, FILE *, diag *),
+                      diag *d) {
+    FILE *out = path_open(path, "w", d);
+    if (!out)
+        return SARCINA_ERROR;
+    int status = write(f, out, d);
+    bool failed = ferror(out) != 0;
+    if ((fclose(out) || failed) && !status)
+        status = path_error(path, d);
+    return status;
 }
 
 int dump_write_now(int style, const char *path, const dump_frame *f, diag *d) {
@@ -111,13 +162,12 @@ int dump_write_now(int style, const char *path, const dump_frame *f, diag *d) {
         return diag_error(d, "%s", s->missing);
     if (s->draw)
         return path_make_folders(path, d) ? SARCINA_ERROR : s->draw(&frame, path, d);
-    FILE *out = path_open(path, "w", d);
-    if (!out)
-        return SARCINA_ERROR;
-    int status = s->write(&frame, out, d);
-    bool failed = ferror(out) != 0;
-    if ((fclose(out) || failed) && !status)
-        status = path_error(path, d);
+    int status = write_text(&frame, path, s->write, d);
+    if (status || !s->beside || !s->has_beside(&frame))
+        return status;
+    char *beside = name_beside(path, s->beside);
+    status = write_text(&frame, beside, s->write_beside, d);
+    free(beside);
     return status;
 }
 
@@ -133,25 +183,65 @@ static int write_block(dump *p, const dump_frame *f, diag *d) {
     return status ? status : stream_end(p->file, f->view->step, d);
 }
 
+/* One more file of a series, what stands beside it, and the series' indices. */
+static int write_file(dump *p, const dump_frame *f, diag *d) {
+    const dump_style *s = dump_styles[p->style];
+    char *name = dump_file_name(p->pattern, f->view->step, p->pad), *series, *beside;
+    int status = SARCINA_OK;
+    dump_frame frame = *f;
+    frame.many = false;
+    frame.fresh = true;
+    if (s->draw)
+        status = path_make_folders(name, d) ? SARCINA_ERROR : s->draw(&frame, name, d);
+    else
+        status = write_text(&frame, name, s->write, d);
+    if (!status && p->index)
+        status = collection_add(p->index, f->view->time, name, d);
+    free(name);
+    if (status || !s->beside || !s->has_beside(&frame))
+        return status;
+    series = name_beside(p->pattern, s->beside);
+    beside = dump_file_name(series, f->view->step, p->pad);
+    status = write_text(&frame, beside, s->write_beside, d);
+    if (!status && p->beside_index)
+        status = collection_add(p->beside_index, f->view->time, beside, d);
+    free(series);
+    free(beside);
+    return status;
+}
+
 int dump_write(dump *p, const dump_frame *f, diag *d) {
-    if (p->last == f->view->step || dump_styles[p->style]->missing)
+    const dump_style *s = dump_styles[p->style];
+    if (p->last == f->view->step || s->missing)
         return SARCINA_OK;
-    int status;
-    if (p->file) {
-        status = write_block(p, f, d);
-    } else {
-        char *name = dump_file_name(p->pattern, f->view->step, p->pad);
-        status = dump_write_now(p->style, name, f, d);
-        free(name);
-    }
+    int status = p->file   ? write_block(p, f, d)
+                 : s->film ? s->film->frame(&p->film, p->film_path, f, d)
+                           : write_file(p, f, d);
     if (!status)
         p->last = f->view->step;
     return status;
 }
 
+/* NAME.EXTENSION -> NAME.STEP.EXTENSION; the caller frees. */
+static char *name_part(const char *path, uint64_t step) {
+    const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
+    size_t n = dot && (!slash || dot > slash) ? (size_t)(dot - path) : strlen(path);
+    return alloc_format("%.*s.%" PRIu64 "%s", (int)n, path, step, path + n);
+}
+
 int dump_rewind(dump *p, uint64_t step, diag *d) {
+    if (p->index)
+        collection_rewind(p->index, step);
+    if (p->beside_index)
+        collection_rewind(p->beside_index, step);
+    if (p->film_path && !p->film) { /* a film cannot be taken up again */
+        free(p->film_path);
+        p->film_path = name_part(p->pattern, step);
+    }
+    if (!p->file)
+        return SARCINA_OK;
     p->last = UINT64_MAX;
-    return p->file ? stream_rewind(p->file, step, d) : SARCINA_OK;
+    return stream_rewind(p->file, step, d);
 }
 
 uint32_t *dump_rows(const dump_frame *f, size_t *n) {

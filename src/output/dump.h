@@ -7,6 +7,7 @@
 #include "analysis/view.h"
 #include "base/param.h"
 #include "engine/column.h"
+#include "output/stream.h"
 
 #include <stdio.h>
 
@@ -27,8 +28,16 @@ typedef enum {
     DUMP_NOTHING,
     DUMP_COLUMNS,     /* one column or more */
     DUMP_ANY_COLUMNS, /* none or more */
-    DUMP_COLOR        /* one column or colour, then the keywords */
+    DUMP_COLOR,       /* one column or colour, then the keywords */
+    DUMP_FILM         /* the same, and frames a second */
 } dump_takes;
+
+/* How one file of many frames is written that is no text. */
+typedef struct dump_film {
+    int (*ready)(diag *d);                                                     /* what it needs is there */
+    int (*frame)(void **film, const char *path, const dump_frame *f, diag *d); /* *film NULL: the first */
+    int (*end)(void *film, diag *d);                                           /* frees; NULL is allowed */
+} dump_film;
 
 typedef struct dump_style {
     const char *name, *summary;
@@ -38,9 +47,17 @@ typedef struct dump_style {
     const param *params; /* keywords */
     size_t nparams;
     bool many;           /* without * in its file's name, steps follow one another in one file */
+    stream_kind blocks;  /* how such a file tells the steps apart */
+    bool indexed;        /* a series of files has an index (collection.h) */
     const char *missing; /* what the build lacks to write it, with what to do; NULL: nothing */
-    int (*write)(const dump_frame *f, FILE *out, diag *d);       /* text styles: required */
-    int (*draw)(const dump_frame *f, const char *path, diag *d); /* writes the file itself; instead of write */
+    /* one of three */
+    int (*write)(const dump_frame *f, FILE *out, diag *d);       /* text */
+    int (*draw)(const dump_frame *f, const char *path, diag *d); /* writes the file itself */
+    const dump_film *film;                                       /* many frames in one file that is no text */
+    /* a second file, NAME.beside.EXTENSION: optional */
+    const char *beside;
+    bool (*has_beside)(const dump_frame *f);
+    int (*write_beside)(const dump_frame *f, FILE *out, diag *d);
 } dump_style;
 
 extern const dump_style *const dump_styles[];

@@ -29,3 +29,25 @@ void field_put_csv(FILE *out, const char *text) {
     }
     fputc('"', out);
 }
+
+char *field_xml(const char *text) {
+    char *out = NULL;
+    size_t size;
+    FILE *f = open_memstream(&out, &size);
+    for (; *text; text++)
+        switch (*text) {
+        case '&':
+            fputs("&amp;", f);
+            break;
+        case '<':
+            fputs("&lt;", f);
+            break;
+        case '"':
+            fputs("&quot;", f);
+            break;
+        default:
+            fputc(*text, f);
+        }
+    fclose(f);
+    return out;
+}

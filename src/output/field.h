@@ -13,4 +13,7 @@ const char *field_number(double x, char text[FIELD_ROOM]);
 /* Text as a field of a CSV: quoted where it holds a comma, a quote or a line's end (RFC 4180). */
 void field_put_csv(FILE *out, const char *text);
 
+/* Text as it stands in an attribute of XML; the caller frees. */
+char *field_xml(const char *text);
+
 #endif

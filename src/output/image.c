@@ -2,11 +2,11 @@
 #include "output/image.h"
 
 #include "base/alloc.h"
-#include "output/render.h"
+#include "output/image_overlay.h"
+#include "output/image_scene.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 image_options image_defaults(void) {
     const camera_view *top = &camera_views[0];
@@ -18,82 +18,9 @@ image_options image_defaults(void) {
                            .scalebar = -1,
                            .low = NAN,
                            .high = NAN,
+                           .legend = true,
+                           .fps = 24,
                            .background = {1, 1, 1}};
-}
-
-/* ---- colours ---------------------------------------------------------------------------------------------------- */
-
-/* Values that tell cells apart but have no amount. */
-static bool is_label(const char *name) {
-    static const char *const labels[] = {"generation", "founder", "parent", "id", "cluster"};
-    for (size_t i = 0; i < sizeof labels / sizeof *labels; i++)
-        if (strcmp(name, labels[i]) == 0)
-            return true;
-    return false;
-}
-
-static rgb species_color(const dump_frame *f, uint32_t row) {
-    int32_t kind = f->view->colony->cell.species[row];
-    rgb c;
-    if (!color_parse(f->view->species->list[kind].color, &c))
-        c = color_palette((uint64_t)kind);
-    return c;
-}
-
-/* Texts take the palette's colours in the order of the alphabet. */
-static int color_by_text(const dump_frame *f, const uint32_t *rows, size_t n, rgb *out, diag *d) {
-    char(*texts)[64] = alloc_zeroed(n, sizeof *texts), (*distinct)[64] = alloc_zeroed(n, sizeof *distinct);
-    size_t count = 0;
-    int status = SARCINA_OK;
-    for (size_t i = 0; i < n && !status; i++) {
-        status = f->columns[0].text(f->columns[0].self, rows[i], texts[i], d);
-        size_t at = 0;
-        while (at < count && strcmp(distinct[at], texts[i]) < 0)
-            at++;
-        if (at < count && strcmp(distinct[at], texts[i]) == 0)
-            continue;
-        memmove(distinct[at + 1], distinct[at], (count++ - at) * sizeof *distinct);
-        memcpy(distinct[at], texts[i], sizeof *distinct);
-    }
-    for (size_t i = 0; i < n && !status; i++) {
-        size_t at = 0;
-        while (strcmp(distinct[at], texts[i]) != 0)
-            at++;
-        out[i] = color_palette(at);
-    }
-    free(texts);
-    free(distinct);
-    return status;
-}
-
-static int color_by_number(const dump_frame *f, const image_options *o, const uint32_t *rows, size_t n, rgb *out,
-                           diag *d) {
-    const output_column *column = &f->columns[0];
-    double *x = alloc_zeroed(n, sizeof *x), low = INFINITY, high = -INFINITY;
-    int status = SARCINA_OK;
-    for (size_t i = 0; i < n && !status; i++) {
-        status = column->number(column->self, rows[i], &x[i], d);
-        low = fmin(low, x[i]);
-        high = fmax(high, x[i]);
-    }
-    bool labels = is_label(column->name) && isnan(o->low);
-    low = isnan(o->low) ? low : o->low;
-    high = isnan(o->high) ? high : o->high;
-    for (size_t i = 0; i < n && !status; i++) {
-        double t = high > low ? (x[i] - low) / (high - low) : isnan(x[i]) ? (double)NAN : 0.5;
-        out[i] = labels && x[i] >= 0 ? color_palette((uint64_t)x[i]) : color_of(&color_maps[o->map], t);
-    }
-    free(x);
-    return status;
-}
-
-static int color_cells(const dump_frame *f, const image_options *o, const uint32_t *rows, size_t n, rgb *out, diag *d) {
-    bool by_species = !o->has_color && f->columns[0].is_text && strcmp(f->columns[0].name, "species") == 0;
-    if (!o->has_color && !by_species)
-        return f->columns[0].is_text ? color_by_text(f, rows, n, out, d) : color_by_number(f, o, rows, n, out, d);
-    for (size_t i = 0; i < n; i++)
-        out[i] = by_species ? species_color(f, rows[i]) : o->color;
-    return SARCINA_OK;
 }
 
 /* ---- shapes ----------------------------------------------------------------------------------------------------- */
@@ -155,108 +82,40 @@ static stage set_stage(const capsule *list, size_t n, const image_options *o) {
     return s;
 }
 
-/* ---- what is drawn flat over the picture ------------------------------------------------------------------------ */
-
-static rgb ink(const image_options *o) {
-    return color_luminance(color_to_linear(o->background)) > 0.2f ? (rgb){0.1f, 0.1f, 0.1f}
-                                                                  : (rgb){0.95f, 0.95f, 0.95f};
-}
-
-/* 1, 2 or 5 times a power of ten: the longest bar that is not over a fifth of the picture. */
-static double round_length(double most) {
-    double power = pow(10, floor(log10(most))), digit = most / power;
-    return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
-}
-
-static void draw_scalebar(canvas *c, const camera *eye, const image_options *o) {
-    double length = o->scalebar > 0 ? o->scalebar : round_length(0.2 * eye->width / eye->scale);
-    double size = fmax(10, eye->height / 40.0), margin = 1.4 * size, bar = length * eye->scale, thick = 0.28 * size;
-    char label[40];
-    snprintf(label, sizeof label,
-             length < 0.1    ? "%g nm"
-             : length < 1000 ? "%g um"
-                             : "%g mm",
-             length < 0.1    ? length * 1e3
-             : length < 1000 ? length
-                             : length / 1e3);
-    double text = canvas_text_width(label, size), width = fmax(bar, text), base = c->height - margin;
-    canvas_box(c, margin - 0.5 * size, base - thick - 2.1 * size, margin + width + 0.5 * size, base + 0.5 * size,
-               o->background, 0.8);
-    canvas_box(c, margin + 0.5 * (width - bar), base - thick, margin + 0.5 * (width + bar), base, ink(o), 1);
-    canvas_text(c, margin + 0.5 * (width - text), base - thick - 0.6 * size, size, label, ink(o));
-}
-
-static void draw_arrow(canvas *c, const camera *eye, vec3 axis, const char *name, double x, double y, double size,
-                       rgb color) {
-    vec3 a = camera_project(eye, axis);
-    double length = 2.6 * size, dx = length * a.x, dy = -length * a.y, flat = hypot(dx, dy);
-    if (flat < 0.15 * length) /* towards the eye */
-        return;
-    double ux = dx / flat, uy = dy / flat, head = 0.5 * size;
-    canvas_line(c, x, y, x + dx, y + dy, 0.16 * size, color, 1);
-    for (int side = -1; side <= 1; side += 2)
-        canvas_line(c, x + dx, y + dy, x + dx - head * (ux - 0.5 * side * uy), y + dy - head * (uy + 0.5 * side * ux),
-                    0.16 * size, color, 1);
-    canvas_text(c, x + dx + 0.7 * size * ux - 0.4 * size, y + dy + 0.7 * size * uy + 0.35 * size, size, name, color);
-}
-
-static void draw_axes(canvas *c, const camera *eye, const image_options *o) {
-    double size = fmax(10, eye->height / 40.0), x = c->width - 5 * size, y = c->height - 4 * size;
-    draw_arrow(c, eye, vec3_of(1, 0, 0), "x", x, y, size, (rgb){0.80f, 0.15f, 0.15f});
-    draw_arrow(c, eye, vec3_of(0, 1, 0), "y", x, y, size, (rgb){0.13f, 0.55f, 0.13f});
-    draw_arrow(c, eye, vec3_of(0, 0, 1), "z", x, y, size, (rgb){0.15f, 0.30f, 0.80f});
-    (void)o;
-}
-
-static void draw_springs(canvas *c, const dump_frame *f, const camera *eye) {
-    static const rgb colors[] = {[LINK_FILIAL] = {0.10f, 0.10f, 0.10f},
-                                 [LINK_STICK] = {0.10f, 0.35f, 0.75f},
-                                 [LINK_ANCHOR] = {0.70f, 0.20f, 0.10f},
-                                 [LINK_SPRING] = {0.30f, 0.30f, 0.30f}};
-    colony *k = f->view->colony;
-    for (size_t l = 0; l < k->link.count; l++) {
-        uint32_t a = colony_row(k, k->link.cell_a[l]), b = k->link.cell_b[l] ? colony_row(k, k->link.cell_b[l]) : a;
-        if (f->members && !(f->members[a] && f->members[b]))
-            continue;
-        for (uint32_t s = k->link.first[l]; s < k->link.first[l] + k->link.nsprings[l]; s++) {
-            const double *to = k->spring.b[s] == SPRING_ANCHOR ? k->spring.anchor + 3 * (size_t)s
-                                                               : k->particle.x + 3 * (size_t)k->spring.b[s];
-            vec3 p = camera_to_pixel(eye, vec3_load(k->particle.x + 3 * (size_t)k->spring.a[s]));
-            vec3 q = camera_to_pixel(eye, vec3_load(to));
-            canvas_line(c, p.x, p.y, q.x, q.y, fmax(1.2, 0.06 * eye->scale), colors[k->link.kind[l]], 0.9);
-        }
+int image_set(const dump_frame *f, const image_options *o, image_scene *out, diag *d) {
+    size_t n;
+    uint32_t *rows = dump_rows(f, &n);
+    rgb *colors = alloc_zeroed(n, sizeof *colors);
+    *out = (image_scene){.list = NULL};
+    int status = image_color_cells(f, o, rows, n, colors, &out->key, d);
+    if (!status) {
+        size_t count;
+        out->list = build_capsules(f->view->colony, rows, colors, n, &count);
+        out->stage = set_stage(out->list, count, o);
     }
+    free(rows);
+    free(colors);
+    return status;
 }
 
-static void draw_overlay(canvas *c, const dump_frame *f, const camera *eye, const image_options *o) {
-    if (o->springs)
-        draw_springs(c, f, eye);
-    if (o->scalebar != 0)
-        draw_scalebar(c, eye, o);
-    if (o->axes)
-        draw_axes(c, eye, o);
+void image_release(image_scene *s) {
+    free(s->list);
 }
 
 int image_draw(const dump_frame *f, const image_options *o, canvas **out, diag *d) {
-    size_t n, count = 0;
-    uint32_t *rows = dump_rows(f, &n);
-    rgb *colors = alloc_zeroed(n, sizeof *colors);
+    image_scene s;
     *out = NULL;
-    int status = color_cells(f, o, rows, n, colors, d);
+    int status = image_set(f, o, &s, d);
     if (!status) {
-        capsule *list = build_capsules(f->view->colony, rows, colors, n, &count);
-        stage s = set_stage(list, count, o);
         *out = canvas_create(o->width, o->height, o->background);
-        status = render_stage(&s, *out, f->threads, d);
+        status = render_stage(&s.stage, *out, f->threads, d);
         if (!status)
-            draw_overlay(*out, f, &s.eye, o);
-        free(list);
+            image_overlay_draw(*out, f, &s.stage.eye, o, &s.key);
     }
+    image_release(&s);
     if (status) {
         canvas_free(*out);
         *out = NULL;
     }
-    free(rows);
-    free(colors);
     return status;
 }

@@ -63,6 +63,10 @@ static bool csv_step(const char *line, int column, uint64_t *step) {
 static bool begins_block(const stream *s, const char *before, const char *line, uint64_t *step) {
     if (s->kind == STREAM_CSV)
         return before[0] != '\0' && csv_step(line, s->step_column, step);
+    if (s->kind == STREAM_XYZ) {
+        const char *named = strncmp(line, "Properties=", 11) == 0 ? strstr(line, " step=") : NULL;
+        return named && sscanf(named, " step=%" SCNu64, step) == 1;
+    }
     return strcmp(before, "ITEM: TIMESTEP\n") == 0 && sscanf(line, "%" SCNu64, step) == 1;
 }
 
@@ -76,7 +80,7 @@ static off_t find_end(stream *s, FILE *f, uint64_t keep) {
         uint64_t step;
         if (begins_block(s, before, line, &step)) {
             if (step > keep || line[n - 1] != '\n') {
-                end = s->kind == STREAM_DUMP ? previous : here;
+                end = s->kind == STREAM_CSV ? here : previous;
                 break;
             }
             s->has_step = true;

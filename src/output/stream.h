@@ -11,8 +11,9 @@
 #include <stdio.h>
 
 typedef enum {
-    STREAM_CSV, /* a header, then lines one of whose columns is the step */
-    STREAM_DUMP /* blocks that begin with the lines "ITEM: TIMESTEP" and the step */
+    STREAM_CSV,  /* a header, then lines one of whose columns is the step */
+    STREAM_DUMP, /* blocks that begin with the lines "ITEM: TIMESTEP" and the step */
+    STREAM_XYZ   /* blocks that begin with a number of lines, and one that has " step=STEP" */
 } stream_kind;
 
 typedef struct stream stream;

@@ -340,7 +340,7 @@ static void check_spring(culture *k, uint32_t link, uint32_t i, char *line) {
     const colony *c = k->c;
     char *field[16];
     uint32_t s = c->link.first[link] + i;
-    assert_int_equal(split(line, field, 16), 12);
+    assert_int_equal(split(line, field, 16), 15);
     assert_int_equal(strtoull(field[0], NULL, 10), c->link.id[link]);
     assert_string_equal(field[1], kinds[c->link.kind[link]]);
     uint32_t a = colony_row(k->c, strtoull(field[2], NULL, 10));
@@ -357,6 +357,9 @@ static void check_spring(culture *k, uint32_t link, uint32_t i, char *line) {
     assert_near(strtod(field[6], NULL), dim_from_engine(c->spring.k[s], DIM_STIFFNESS), 0);
     assert_near(strtod(field[7], NULL), dim_from_engine(c->spring.rest[s], DIM_LENGTH), 0);
     assert_int_equal(strtol(field[11], NULL, 10), c->spring.glides[s]);
+    double length = colony_spring_length(c, s), rest = c->spring.rest[s];
+    assert_near(strtod(field[12], NULL), dim_from_engine(length, DIM_LENGTH), 0);
+    assert_near(strtod(field[13], NULL), (length - rest) / rest, 0);
 }
 
 static void test_link(void **state) {
@@ -366,13 +369,14 @@ static void test_link(void **state) {
     write_steps(&k, "link", "s.*.csv", NULL, 0, 0);
     FILE *f = open_file("s.0.csv");
     read_line(f, line);
-    assert_string_equal(line, "link,kind,cell_a,particle_a,cell_b,particle_b,k,rest,anchorx,anchory,anchorz,glides");
+    assert_string_equal(line, "link,kind,cell_a,particle_a,cell_b,particle_b,k,rest,anchorx,anchory,anchorz,glides,"
+                              "length,strain,age");
     for (size_t i = 0; i < 12; i++) { /* springs inside rods */
         uint32_t row = row_of(&k, i);
         if (k.c->cell.species[row])
             continue;
         read_line(f, line);
-        assert_int_equal(split(line, field, 16), 12);
+        assert_int_equal(split(line, field, 16), 15);
         assert_string_equal(field[1], "internal");
         assert_int_equal(strtoull(field[2], NULL, 10), k.c->cell.id[row]);
         assert_string_equal(field[3], "0");

@@ -108,6 +108,7 @@ static image_options plain(int from) {
     o.theta = camera_views[from].theta;
     o.phi = camera_views[from].phi;
     o.scalebar = 0;
+    o.legend = false;
     o.has_color = true;
     color_parse("blue", &o.color);
     return o;
@@ -404,7 +405,7 @@ static void test_springs(void **state) {
     dump_frame f = frame_of(&k, &column, "generation");
     image_options o = plain(0);
     canvas *without = draw(&f, &o);
-    o.springs = true;
+    o.springs = IMAGE_SPRINGS_KIND;
     canvas *with = draw(&f, &o);
     double scale = 0.92 * 300 / 9;
     assert_true(is_white(pixel(without, 150, 100)));
@@ -415,6 +416,91 @@ static void test_springs(void **state) {
     canvas_free(without);
     canvas_free(with);
     discard(&k);
+}
+
+/* By strain: one that is stretched is red, one pressed together blue, the strongest of them most. */
+static void test_springs_by_strain(void **state) {
+    (void)state;
+    culture k = make();
+    output_column column;
+    add_ball(&k, -4, 0, 0, 1, 0);
+    add_ball(&k, 4, 0, 0, 1, 0);
+    add_ball(&k, -4, 4, 0, 1, 0);
+    add_ball(&k, 4, 4, 0, 1, 0);
+    colony *c = k.c;
+    for (uint32_t i = 0; i < 2; i++) {
+        uint32_t link = colony_add_link(c, LINK_STICK, 1 + 2 * i, 2 + 2 * i, 1), s = c->link.first[link];
+        c->spring.a[s] = 2 * i;
+        c->spring.b[s] = 2 * i + 1;
+        c->spring.rest[s] = i ? 16 : 4; /* strains -0.5 and 1 */
+    }
+    dump_frame f = frame_of(&k, &column, "generation");
+    image_options o = plain(0);
+    o.springs = IMAGE_SPRINGS_STRAIN;
+    canvas *with = draw(&f, &o);
+    double scale = 0.92 * 300 / 9;
+    rgb stretched = pixel(with, 150, (int)(100 + 2 * scale)), pressed = pixel(with, 150, (int)(100 - 2 * scale));
+    assert_true(stretched.r > 1.5f * stretched.b);
+    assert_true(pressed.b > 1.2f * pressed.r);
+    assert_true(pressed.r > stretched.b); /* half as strong: nearer the middle */
+    canvas_free(with);
+    discard(&k);
+}
+
+/* A bar in the upper right corner, its map's high end up; none for labels and when it is not wanted. */
+static void test_legend(void **state) {
+    (void)state;
+    culture k = make();
+    output_column column;
+    add_ball(&k, 0, 0, 0, 1, 3);
+    add_ball(&k, 2, 0, 0, 1, 9);
+    image_options o = plain(0);
+    o.zoom = 0.2;
+    o.has_color = false;
+    dump_frame f = frame_of(&k, &column, "speed");
+    canvas *without = draw(&f, &o);
+    o.legend = true;
+    canvas *with = draw(&f, &o);
+    blot bar = find_blot(with), cells = find_blot(without);
+    assert_true(bar.right > 280 && bar.top < 20 && cells.right < 200);
+    int low = -1, high = -1; /* rows of the map's ends */
+    for (int y = 0; y < 200; y++)
+        for (int x = 210; x < 300; x++) {
+            rgb p = pixel(with, x, y);
+            if (p.r > 0.95f && p.g > 0.85f && p.b < 0.3f && high < 0)
+                high = y;
+            if (p.r < 0.35f && p.g < 0.1f && p.b > 0.3f)
+                low = y;
+        }
+    assert_true(high > 0 && low > high + 50);
+    canvas_free(with);
+    f = frame_of(&k, &column, "generation");
+    with = draw(&f, &o);
+    assert_true(find_blot(with).right < 200);
+    canvas_free(with);
+    canvas_free(without);
+    discard(&k);
+}
+
+/* Every letter leaves ink, and "um" has its mu where a word begins with it. */
+static void test_letters(void **state) {
+    (void)state;
+    const char letters[] = "abcdefghijklmnopqrstuvwxyzNJ0123456789.-()[]/*+,_<>=^%";
+    for (const char *l = letters; *l; l++) {
+        canvas *c = canvas_create(40, 60, (rgb){1, 1, 1});
+        canvas_text(c, 10, 40, 21, (const char[]){*l, '\0'}, (rgb){0, 0, 0});
+        assert_true(find_blot(c).area > 5);
+        assert_true(canvas_text_width((const char[]){*l, '\0'}, 21) >= 8);
+        canvas_free(c);
+    }
+    canvas *c = canvas_create(80, 60, (rgb){1, 1, 1});
+    canvas_text(c, 10, 40, 21, "um", (rgb){0, 0, 0});
+    assert_true(find_blot(c).bottom > 45); /* its tail */
+    canvas_free(c);
+    c = canvas_create(80, 60, (rgb){1, 1, 1});
+    canvas_text(c, 10, 40, 21, "sum", (rgb){0, 0, 0});
+    assert_true(find_blot(c).bottom < 45);
+    canvas_free(c);
 }
 
 #else
@@ -442,6 +528,9 @@ int main(void) {
         cmocka_unit_test(test_selection),
         cmocka_unit_test(test_png),
         cmocka_unit_test(test_springs),
+        cmocka_unit_test(test_springs_by_strain),
+        cmocka_unit_test(test_legend),
+        cmocka_unit_test(test_letters),
 #else
         cmocka_unit_test(test_build_without_pictures_says_so),
 #endif

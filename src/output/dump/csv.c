@@ -54,5 +54,6 @@ const dump_style dump_csv = {
     .now_example = "write_dump all csv now.csv id x y z -z length/1um",
     .takes = DUMP_COLUMNS,
     .many = true,
+    .blocks = STREAM_CSV,
     .write = write,
 };

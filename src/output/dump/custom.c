@@ -73,5 +73,6 @@ const dump_style dump_custom = {
     .now_example = "write_dump all custom now.dump id species x y z",
     .takes = DUMP_COLUMNS,
     .many = true,
+    .blocks = STREAM_DUMP,
     .write = write,
 };

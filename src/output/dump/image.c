@@ -24,9 +24,9 @@ const dump_style dump_image = {
         "id and cluster take colours that are easily told apart, species their own; other numbers go through the "
         "map.",
     .example = "dump film all image 5 film.*.png generation size 400 300 view iso zoom 1.2 scalebar 5um "
-               "axes yes springs yes map plasma range 0 8 background black",
+               "axes yes springs strain legend no map plasma range 0 8 background black",
     .now_example = "write_dump all image colony.png z size 400 300 view 60degree 30degree zoom 1.2 scalebar 0 axes yes "
-                   "springs no map cividis range 0 2um background '#102030'",
+                   "springs no legend yes map cividis range 0 2um background '#102030'",
     .takes = DUMP_COLOR,
     .params = params,
     .nparams = TABLE_COUNT(params),

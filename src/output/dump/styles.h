@@ -7,9 +7,12 @@
 
 #define DUMP_STYLES(X)                                                                                                 \
     X(image)                                                                                                           \
+    X(movie)                                                                                                           \
+    X(povray)                                                                                                          \
     X(custom)                                                                                                          \
     X(csv)                                                                                                             \
     X(vtk)                                                                                                             \
+    X(xyz)                                                                                                             \
     X(link)
 
 #define DUMP_DECLARE(name) extern const dump_style dump_##name;
