@@ -72,7 +72,7 @@ static void add_spring(maker *m, uint32_t link, uint32_t s, uint32_t row_a, uint
                           .k = c->spring.k[s],
                           .rest = c->spring.rest[s],
                           .length = colony_spring_length(c, s),
-                          .age = NAN,
+                          .age = m->f->view->time - c->link.birth[link],
                           .from = from,
                           .to = anchored ? anchored_end(c, s, from)
                                          : vec3_load(c->particle.x + 3 * (size_t)c->spring.b[s]),

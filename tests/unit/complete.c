@@ -127,7 +127,7 @@ static const struct {
     {"run 10 grow 1min every 5 \"print a\" rel", "relax"},
     {"force dlvo o", "off"},
     {"dump d o", "off"},
-    {"dump_modify d ", "axes background color every map pad range scalebar size springs view zoom"},
+    {"dump_modify d ", "axes background color every legend map pad range scalebar size springs view zoom"},
     {"thermo_style custom step tim", "time"},
     {"thermo_style custom mean(le", "length"},
     {"thermo_style custom ellipse.ma", "ellipse.major"},

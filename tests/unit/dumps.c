@@ -54,6 +54,7 @@ static void add_link(culture *k, gsl_rng *r, link_kind kind, uint32_t a, uint32_
     colony *c = k->c;
     uint32_t n = c->cell.nparticles[a];
     uint32_t link = colony_add_link(c, kind, c->cell.id[a], b == COLONY_NO_ROW ? 0 : c->cell.id[b], n);
+    c->link.birth[link] = -60.0 * link;
     for (uint32_t i = 0; i < n; i++)
         fill_spring(c, r, c->link.first[link] + i, c->cell.first[a] + i,
                     b == COLONY_NO_ROW ? SPRING_ANCHOR : c->cell.first[b] + c->cell.nparticles[b] - 1);
@@ -360,6 +361,7 @@ static void check_spring(culture *k, uint32_t link, uint32_t i, char *line) {
     double length = colony_spring_length(c, s), rest = c->spring.rest[s];
     assert_near(strtod(field[12], NULL), dim_from_engine(length, DIM_LENGTH), 0);
     assert_near(strtod(field[13], NULL), (length - rest) / rest, 0);
+    assert_near(strtod(field[14], NULL), k->v.time - c->link.birth[link], 0);
 }
 
 static void test_link(void **state) {
