@@ -388,7 +388,7 @@ static const command_form forms[] = {
      "All but every and pad are for pictures, as in dump image.",
      "dump film all image 5 film.*.png species\n"
      "dump_modify film every 10 pad 4 color generation size 400 300 view side zoom 2 scalebar 5um axes yes "
-     "springs yes map magma range 0 8 background white",
+     "springs yes legend no map magma range 0 8 background white",
      COMMAND_DECLARES, run_modify, NULL, 0},
 };
 
