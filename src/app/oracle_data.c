@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/dim.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -243,6 +244,27 @@ void oracle_scene_free(oracle_scene *s) {
     free(s->species.list);
     free(s->row);
     memset(s, 0, sizeof *s);
+}
+
+void oracle_scene_compare(const oracle_scene *s, const char *state, const oracle_table *particles, const double *force,
+                          const double *mass, double *deviation, double *largest) {
+    static const char *const columns[3] = {"ax", "ay", "az"};
+    size_t p = 0;
+    *deviation = *largest = 0;
+    for (size_t i = 0; i < particles->nrows; i++) {
+        if (!is_of(particles, i, state))
+            continue;
+        double square = 0, square_ref = 0;
+        uint32_t row = s->row[p++];
+        for (size_t k = 0; k < 3; k++) {
+            double a = dim_from_engine(force[3 * (size_t)row + k] / mass[row], DIM(1, 0, -2));
+            double ref = oracle_table_number(particles, i, columns[k]);
+            square += (a - ref) * (a - ref);
+            square_ref += ref * ref;
+        }
+        *deviation = fmax(*deviation, sqrt(square));
+        *largest = fmax(*largest, sqrt(square_ref));
+    }
 }
 
 int oracle_scene_bind(const oracle_scene *s, mechanics *m, diag *d) {

@@ -39,6 +39,10 @@ bool oracle_scene_make(oracle_scene *s, const char *state, const oracle_table *p
                        const oracle_table *params);
 void oracle_scene_free(oracle_scene *s);
 
+/* Largest deviation of the accelerations from the state's own, and the largest of those, m/s2. */
+void oracle_scene_compare(const oracle_scene *s, const char *state, const oracle_table *particles, const double *force,
+                          const double *mass, double *deviation, double *largest);
+
 int oracle_scene_bind(const oracle_scene *s, mechanics *m, diag *d);
 
 #endif

@@ -5,36 +5,11 @@
 #include "app/oracle_data.h"
 
 #include "base/alloc.h"
-#include "base/dim.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 static const double bound = 1e-9;
-
-/* Largest deviation and largest reference, m/s2, over the state's particles. */
-static void compare(const oracle_scene *s, const char *state, const oracle_table *particles, const double *force,
-                    const double *mass, double *deviation, double *largest) {
-    static const char *const columns[3] = {"ax", "ay", "az"};
-    size_t p = 0;
-    *deviation = *largest = 0;
-    for (size_t i = 0; i < particles->nrows; i++) {
-        if (strcmp(oracle_table_text(particles, i, "state"), state) != 0)
-            continue;
-        double square = 0, square_ref = 0;
-        uint32_t row = s->row[p++];
-        for (size_t k = 0; k < 3; k++) {
-            double a = dim_from_engine(force[3 * (size_t)row + k] / mass[row], DIM(1, 0, -2));
-            double ref = oracle_table_number(particles, i, columns[k]);
-            square += (a - ref) * (a - ref);
-            square_ref += ref * ref;
-        }
-        *deviation = fmax(*deviation, sqrt(square));
-        *largest = fmax(*largest, sqrt(square_ref));
-    }
-}
 
 static bool check_state(const char *state, const oracle_table *particles, const oracle_table *springs,
                         const oracle_table *params) {
@@ -45,7 +20,7 @@ static bool check_state(const char *state, const oracle_table *particles, const 
     if (oracle_scene_make(&s, state, particles, springs, params) && oracle_scene_bind(&s, m, &d) == SARCINA_OK) {
         double *force = alloc_zeroed(3 * s.nparticles, sizeof *force), deviation, largest;
         mechanics_force(m, s.colony->particle.x, s.colony->particle.v, force);
-        compare(&s, state, particles, force, mechanics_mass(m), &deviation, &largest);
+        oracle_scene_compare(&s, state, particles, force, mechanics_mass(m), &deviation, &largest);
         passed = deviation <= bound * largest;
         printf("%-55s %3zu particles  %9.2e  %s\n", state, s.nparticles, deviation / largest, passed ? "ok" : "FAILED");
         free(force);
