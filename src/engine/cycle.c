@@ -5,6 +5,7 @@
 #include "biology/division.h"
 #include "biology/growth.h"
 #include "engine/snapshot.h"
+#include "model/link_check.h"
 
 #include <math.h>
 #include <time.h>
@@ -20,6 +21,16 @@ static double clock_stage(double *stage, double from) {
     double t = scene_clock();
     *stage += t - from;
     return t;
+}
+
+/* In builds that look after it: is the graph of links whole? */
+static int check_links(const scene *s, diag *d) {
+    if (!SARCINA_CHECK_LINKS)
+        return SARCINA_OK;
+    link_fault fault = link_check(s->colony);
+    if (!fault.what)
+        return SARCINA_OK;
+    return diag_fail(d, SARCINA_NUMERICAL, "link %llu: %s", (unsigned long long)fault.link, fault.what);
 }
 
 int scene_grow(scene *s, double dt, diag *d) {
@@ -41,7 +52,7 @@ int scene_grow(scene *s, double dt, diag *d) {
     scene_refresh_links(s);
     s->colony->version++; /* masses and rest lengths have changed */
     clock_stage(&s->timing.divide, t);
-    return SARCINA_OK;
+    return check_links(s, d);
 }
 
 /* What the mechanics did since `from`, and what the relaxation says of itself. */
@@ -72,6 +83,8 @@ int scene_relax(scene *s, double time, double force, relax_result *result, diag 
     int status = scene_prepare(s, d);
     if (status == SARCINA_OK)
         status = relax_run(s->mechanics, &s->relax, &goal, result, d);
+    if (status == SARCINA_OK)
+        status = check_links(s, d);
     if (status == SARCINA_OK) {
         s->relaxed += result->time;
         note_relaxation(s, &from, result);
