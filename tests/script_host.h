@@ -38,6 +38,12 @@ static inline const char *script_host_environment(void *self, const char *name) 
     return ((script_host *)self)->environment;
 }
 
+/* An editor that leaves the text as it is. */
+static inline int script_host_edit(void *self, char **text, diag *d) {
+    (void)self, (void)text, (void)d;
+    return SARCINA_OK;
+}
+
 static inline void script_host_clear(script_host *h) {
     free(h->printed);
     free(h->errors);
@@ -57,7 +63,8 @@ static inline void script_host_open(script_host *h) {
                             .self = h,
                             .screen = script_host_print,
                             .error = script_host_error,
-                            .environment = script_host_environment};
+                            .environment = script_host_environment,
+                            .edit = script_host_edit};
     script_host_clear(h);
 }
 

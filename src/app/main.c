@@ -8,6 +8,7 @@
 #include "app/test_run.h"
 #include "base/alloc.h"
 #include "command/commands.h"
+#include "command/past.h"
 #include "command/results.h"
 #include "script/interp.h"
 
@@ -29,31 +30,40 @@ static char *read_standard_input(void) {
     return text;
 }
 
-/* A script by whichever way it came: name NULL: a file called text. */
-static size_t check(interp *in, const char *name, const char *text) {
-    return name ? interp_check_text(in, name, text) : interp_check_file(in, text);
+/* The file, then the commands of -e; without either what comes through the pipe. *n of them; the caller frees. */
+static interp_script *list_scripts(const options *o, const char *piped, size_t *n) {
+    interp_script *list = alloc_zeroed(o->ncommands + 2, sizeof *list);
+    *n = 0;
+    if (o->file)
+        list[(*n)++] = (interp_script){NULL, o->file};
+    for (size_t i = 0; i < o->ncommands; i++)
+        list[(*n)++] = (interp_script){"-e", o->commands[i]};
+    if (piped)
+        list[(*n)++] = (interp_script){"<stdin>", piped};
+    return list;
 }
 
-static int run(interp *in, const options *o, const char *name, const char *text) {
-    size_t errors = check(in, name, text);
-    if (o->check)
-        printf("%zu error%s\n", errors, errors == 1 ? "" : "s");
-    if (errors || o->check)
-        return errors ? SARCINA_ERROR : SARCINA_OK;
-    return name ? interp_run_source(in, name, text) : interp_run_file(in, text);
-}
-
-static int run_commands(interp *in, const options *o) {
-    int status = SARCINA_OK, code;
-    for (size_t i = 0; i < o->ncommands && !status && !interp_has_quit(in, &code); i++)
-        status = run(in, o, "-e", o->commands[i]);
+/* Runs one, noted for a prompt behind it. */
+static int run(interp *in, const options *o, const interp_script *s) {
+    int status = s->name ? interp_run_source(in, s->name, s->text) : interp_run_file(in, s->text);
+    if (repl_is_wanted(o) && s->name)
+        past_given(in, s->text, status);
+    else if (repl_is_wanted(o))
+        past_given_file(in, s->text, status);
     return status;
 }
 
-static int run_pipe(interp *in, const options *o) {
-    char *text = read_standard_input();
-    int status = run(in, o, "<stdin>", text);
-    free(text);
+/* Nothing runs before all of it has been checked. */
+static int run_scripts(interp *in, const options *o, const char *piped) {
+    size_t n;
+    interp_script *list = list_scripts(o, piped, &n);
+    size_t errors = n ? interp_check(in, list, n, !repl_is_wanted(o)) : 0;
+    int status = errors ? SARCINA_ERROR : SARCINA_OK, code;
+    if (o->check && n)
+        printf("%zu error%s\n", errors, errors == 1 ? "" : "s");
+    for (size_t i = 0; i < n && !o->check && !status && !interp_has_quit(in, &code); i++)
+        status = run(in, o, &list[i]);
+    free(list);
     return status;
 }
 
@@ -65,19 +75,24 @@ static int leave_scalars(interp *in) {
     return status;
 }
 
-static int run_all(program *p, interp *in, const options *o) {
-    bool nothing = !o->file && !o->ncommands, terminal = isatty(STDIN_FILENO);
-    int status = SARCINA_OK, code = 0;
-    if (o->file)
-        status = run(in, o, NULL, o->file);
-    if (!status)
-        status = run_commands(in, o);
+static void begin_past(interp *in, const options *o) {
+    past_begin(in);
+    for (size_t i = 0; i < o->nvars; i++)
+        past_given_variable(in, o->names[i], o->texts[i]);
+}
+
+static int run_all(interp *in, const options *o) {
+    int code = 0;
+    bool pipe = !o->file && !o->ncommands && !repl_is_wanted(o);
+    if (repl_is_wanted(o))
+        begin_past(in, o);
+    char *piped = pipe ? read_standard_input() : NULL;
+    int status = run_scripts(in, o, piped);
+    free(piped);
     if (!status)
         status = leave_scalars(in);
-    if (nothing && !terminal && !o->interactive)
-        status = run_pipe(in, o);
-    if ((nothing && terminal) || o->interactive)
-        status = repl_run(p, o, in);
+    if (repl_is_wanted(o))
+        status = repl_run(o, in);
     return interp_has_quit(in, &code) && !status ? code : status;
 }
 
@@ -120,7 +135,7 @@ static int run_program(const options *o) {
         status = ensemble_main(&p, o);
     } else {
         interp *in = program_interp(&p, o, &d);
-        status = in ? run_all(&p, in, o) : (int)d.status;
+        status = in ? run_all(in, o) : (int)d.status;
         if (in)
             program_end(&p, in);
         else

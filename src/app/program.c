@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "app/program.h"
 
+#include "app/editor.h"
 #include "base/alloc.h"
 #include "command/commands.h"
 
@@ -11,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <time.h>
 #include <unistd.h>
 
 static volatile sig_atomic_t interrupted, patient;
@@ -114,6 +116,21 @@ static int run_shell(void *self, const char *command, diag *d) {
     return code == 0 ? SARCINA_OK : diag_error(d, "the command ended with %d: %s", code, command);
 }
 
+static int run_editor(void *self, char **text, diag *d) {
+    program *p = self;
+    if (p->screen)
+        fflush(p->screen);
+    return editor_run(text, d);
+}
+
+static const char *date_of_today(void *self) {
+    program *p = self;
+    time_t now = time(NULL);
+    struct tm day;
+    strftime(p->date, sizeof p->date, "%Y-%m-%d", localtime_r(&now, &day));
+    return p->date;
+}
+
 static const char *look_up_environment(void *self, const char *name) {
     (void)self;
     return getenv(name);
@@ -179,9 +196,12 @@ int program_create(program *p, const options *o, diag *d) {
                             .open_log = open_log,
                             .shell = run_shell,
                             .environment = look_up_environment,
+                            .date = date_of_today,
+                            .edit = run_editor,
                             .interrupt = &interrupted,
                             .library = p->library,
                             .safe = o->safe,
+                            .skip_runs = o->skiprun,
                             .test = o->test,
                             .results = o->results};
     return SARCINA_OK;

@@ -16,6 +16,7 @@ typedef struct program {
     FILE *screen; /* NULL: nowhere */
     logfile log;
     bool shown; /* a progress line stands on the terminal */
+    char date[16];
     char *library;
 } program;
 

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "app/repl.h"
 
+#include "app/program.h"
 #include "app/repl_history.h"
 #include "app/repl_line.h"
 #include "base/alloc.h"
+#include "command/past.h"
 #include "script/block.h"
 
 #include <stdio.h>
@@ -12,20 +14,37 @@
 #include <unistd.h>
 
 typedef struct repl {
-    program *program;
     interp *in;
     bool terminal;
     char *history; /* its file; NULL: none, or it cannot be written */
+    char *waiting; /* lines that came with the one before; NULL: none */
 } repl;
 
 /* ---- reading ----------------------------------------------------------------------------------------------------- */
 
+/* The next line; of several that came at once (pasted, or a block from the history) one after the other. */
+static repl_line_status next_line(repl *r, const char *before, char **line) {
+    repl_line_status got = REPL_LINE;
+    char *all = r->waiting;
+    r->waiting = NULL;
+    if (!all)
+        got = r->terminal ? repl_line_edit(before, &all) : repl_line_read(&all);
+    if (got != REPL_LINE)
+        return got;
+    size_t n = strcspn(all, "\n");
+    if (all[n])
+        r->waiting = alloc_copy(all + n + 1);
+    all[n] = '\0';
+    *line = all;
+    return REPL_LINE;
+}
+
 /* One command or block, over as many lines as it takes; NULL at the end of the input. The caller frees. */
-static char *read_entry(const repl *r, bool *interrupted) {
-    char *text = NULL, *line;
+static char *read_entry(repl *r, bool *interrupted) {
+    char *text = NULL, *line = NULL;
     *interrupted = false;
     for (;;) {
-        repl_line_status got = r->terminal ? repl_line_edit(text, &line) : repl_line_read(&line);
+        repl_line_status got = next_line(r, text, &line);
         if (got == REPL_LINE_END)
             return text;
         if (got == REPL_LINE_INTERRUPTED) {
@@ -68,8 +87,8 @@ static void run_init(const repl *r, const options *o) {
     char *path = r->terminal && !o->safe && !o->noinit ? init_path() : NULL;
     if (path && access(path, R_OK) == 0) {
         interp_print(r->in, "reading %s", path);
-        if (interp_check_file(r->in, path) == 0)
-            interp_run_file(r->in, path);
+        int status = interp_check_file(r->in, path) ? SARCINA_ERROR : interp_run_file(r->in, path);
+        past_given_file(r->in, path, status);
     }
     free(path);
 }
@@ -92,7 +111,33 @@ static void run_entry(repl *r, const char *text) {
     keep(r, text);
     program_clear_interrupt();
     interp_run_line(r->in, text);
+    /* Ctrl-C has ended all that came with this line */
+    if (program_is_interrupted()) {
+        free(r->waiting);
+        r->waiting = NULL;
+    }
     program_clear_interrupt();
+}
+
+static void show_lines(const repl *r, const char *text) {
+    const char *prompt = "sarcina> ";
+    for (size_t n; *text; text += n + (text[n] == '\n')) {
+        n = strcspn(text, "\n");
+        interp_screen(r->in, "%s%.*s", prompt, (int)n, text);
+        prompt = "     ...> ";
+    }
+}
+
+/* What a command wants to be run next is shown as if it had been typed. */
+static void run_edited(repl *r) {
+    char *text;
+    int code;
+    while (!interp_has_quit(r->in, &code) && (text = past_take_next(r->in))) {
+        if (r->terminal)
+            show_lines(r, text);
+        run_entry(r, text);
+        free(text);
+    }
 }
 
 static void open_terminal(repl *r) {
@@ -103,21 +148,28 @@ static void open_terminal(repl *r) {
     greet(r);
 }
 
-int repl_run(program *p, const options *o, interp *in) {
-    repl r = {.program = p, .in = in, .terminal = isatty(STDIN_FILENO)};
+bool repl_is_wanted(const options *o) {
+    return o->interactive || (!o->file && !o->ncommands && isatty(STDIN_FILENO));
+}
+
+int repl_run(const options *o, interp *in) {
+    repl r = {.in = in, .terminal = isatty(STDIN_FILENO)};
     int code = 0;
     char *text = NULL;
     bool interrupted = false;
     program_be_patient();
+    program_clear_interrupt();
     if (r.terminal)
         open_terminal(&r);
     run_init(&r, o);
     while (!interp_has_quit(in, &code) && (text = read_entry(&r, &interrupted))) {
         run_entry(&r, text);
         free(text);
+        run_edited(&r);
     }
     if (r.terminal && !interp_has_quit(in, &code))
         putchar('\n'); /* behind the prompt that Ctrl-D has answered */
     free(r.history);
+    free(r.waiting);
     return interrupted && !r.terminal ? SARCINA_INTERRUPTED : code;
 }

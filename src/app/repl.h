@@ -5,10 +5,12 @@
 #define SARCINA_APP_REPL_H
 
 #include "app/options.h"
-#include "app/program.h"
 #include "script/interp.h"
 
 /* Reads commands from standard input until quit or its end; returns the exit code. */
-int repl_run(program *p, const options *o, interp *in);
+int repl_run(const options *o, interp *in);
+
+/* Whether there will be a prompt: asked for, or a terminal and nothing else to do. */
+bool repl_is_wanted(const options *o);
 
 #endif

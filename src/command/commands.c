@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "command/commands.h"
 
+#include "command/past.h"
 #include "command/session.h"
 
 #include "base/alloc.h"
@@ -24,6 +25,7 @@ static void free_session(void *client) {
     free(s->restart.files[1]);
     session_drop_groups(s);
     free(s->dynamic);
+    past_free(s->past);
     free(s);
 }
 
@@ -33,6 +35,7 @@ static void end_loop(interp *in) {
 
 void commands_add(command_table *t) {
     command_set_client(t, create_session, free_session, end_loop);
+    command_set_line(t, past_begin, past_ran);
 #define COMMAND_ADD(name) command_##name(t);
     COMMAND_FILES(COMMAND_ADD)
 #undef COMMAND_ADD

@@ -8,11 +8,13 @@
 #include <math.h>
 
 static int run_grow(interp *in, const args *a, diag *d) {
-    return scene_grow(interp_scene(in), args_number(a, "DT"), d);
+    return interp_skips_runs(in) ? SARCINA_OK : scene_grow(interp_scene(in), args_number(a, "DT"), d);
 }
 
 static int run_relax(interp *in, const args *a, diag *d) {
     relax_result r = {0};
+    if (interp_skips_runs(in))
+        return SARCINA_OK;
     int status = scene_relax(interp_scene(in), args_number(a, "T"), 0, &r, d);
     if (!status)
         run_report_relaxation(in, &r);
@@ -24,6 +26,8 @@ static int run_relax(interp *in, const args *a, diag *d) {
 /* Stops when the forces are small, or after `within`; says which. */
 static int run_relax_to(interp *in, const args *a, diag *d) {
     relax_result r = {0};
+    if (interp_skips_runs(in))
+        return SARCINA_OK;
     double within = args_given(a, "within") ? args_number(a, "within") : (double)INFINITY;
     int status = scene_relax(interp_scene(in), within, args_number(a, "F"), &r, d);
     if (status)

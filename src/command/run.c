@@ -177,6 +177,7 @@ static int run_run(interp *in, const args *a, diag *d) {
     p.a = a;
     if (!status)
         status = count_cycles(in, a, &p, d);
+    p.cycles = interp_skips_runs(in) ? 0 : p.cycles;
     if (!status && !interp_checking(in) && p.cycles > 0)
         status = scene_prepare(interp_scene(in), d);
     if (status)

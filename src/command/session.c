@@ -62,7 +62,7 @@ static void put_journal(const interp *in, archive *a) {
 
 #define SESSION_FORMAT "grow %a relax %a force %a turn %u"
 
-static archive *pack(interp *in) {
+archive *session_pack(interp *in) {
     session *s = session_of(in);
     archive *a = archive_create();
     put_journal(in, a);
@@ -78,7 +78,7 @@ static archive *pack(interp *in) {
 }
 
 int session_save(interp *in, const char *path, diag *d) {
-    archive *a = pack(in);
+    archive *a = session_pack(in);
     int status = archive_write(a, path, d);
     archive_free(a);
     return status;
@@ -98,7 +98,7 @@ static int replay_journal(interp *in, const archive *a, diag *d) {
 }
 
 /* Lays an archive into an emptied scene; a check stops at the names. */
-static int unpack(interp *in, const archive *a, diag *d) {
+int session_unpack(interp *in, const archive *a, diag *d) {
     session *s = session_of(in);
     session_clear(in);
     const char *variables = archive_get(a, "variables", NULL), *run = archive_get(a, "run", NULL);
@@ -124,10 +124,10 @@ int session_load(interp *in, const char *path, diag *d) {
     if (status)
         return status;
     /* what stands is kept, to go back to when the file does not fit */
-    archive *before = interp_checking(in) ? NULL : pack(in);
-    status = unpack(in, a, d);
+    archive *before = interp_checking(in) ? NULL : session_pack(in);
+    status = session_unpack(in, a, d);
     if (status && before)
-        unpack(in, before, NULL);
+        session_unpack(in, before, NULL);
     archive_free(before);
     archive_free(a);
     return status;

@@ -22,8 +22,11 @@ typedef struct dynamic_group {
     expr *test;
 } dynamic_group;
 
+typedef struct past past;
+
 typedef struct session {
     interp *in;
+    past *past; /* what a prompt has run (past.h); NULL: there has been none */
     outputs *out;
     restart_schedule restart;
     run_report report;
@@ -60,6 +63,10 @@ void session_drop_groups(session *s);
 /* All that a restart file holds: journal, variables, state, where outputs stand. */
 int session_save(interp *in, const char *path, diag *d);
 int session_load(interp *in, const char *path, diag *d);
+
+/* The same in memory. Laying it in empties the scene first; a check stops at the names. */
+archive *session_pack(interp *in);
+int session_unpack(interp *in, const archive *a, diag *d);
 
 /* Writes the file of the restart schedule whose turn it is. */
 int session_write_checkpoint(interp *in, diag *d);

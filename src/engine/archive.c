@@ -16,9 +16,15 @@
 #define MAGIC "sarcina restart 1\n"
 enum { NAME_MAX_BYTES = 64 };
 
+/* Bytes that archives of several moments may have in common. */
+typedef struct shared {
+    size_t references;
+    char bytes[];
+} shared;
+
 typedef struct block {
     char name[NAME_MAX_BYTES];
-    char *bytes;
+    shared *data;
     size_t n;
 } block;
 
@@ -31,11 +37,16 @@ archive *archive_create(void) {
     return alloc_zeroed(1, sizeof(archive));
 }
 
+static void release(shared *s) {
+    if (--s->references == 0)
+        free(s);
+}
+
 void archive_free(archive *a) {
     if (!a)
         return;
     for (size_t i = 0; i < a->count; i++)
-        free(a->list[i].bytes);
+        release(a->list[i].data);
     free(a->list);
     free(a);
 }
@@ -45,9 +56,10 @@ void archive_put(archive *a, const char *name, const void *bytes, size_t n) {
     block *b = &a->list[a->count++];
     snprintf(b->name, sizeof b->name, "%s", name);
     b->n = n;
-    b->bytes = alloc_zeroed(n + 1, 1);
+    b->data = alloc_zeroed(sizeof(shared) + n + 1, 1);
+    b->data->references = 1;
     if (n)
-        memcpy(b->bytes, bytes, n);
+        memcpy(b->data->bytes, bytes, n);
 }
 
 const char *archive_get(const archive *a, const char *name, size_t *n) {
@@ -55,9 +67,36 @@ const char *archive_get(const archive *a, const char *name, size_t *n) {
         if (strcmp(a->list[i].name, name) == 0) {
             if (n)
                 *n = a->list[i].n;
-            return a->list[i].bytes;
+            return a->list[i].data->bytes;
         }
     return NULL;
+}
+
+static bool is_same(const block *a, const block *b) {
+    return strcmp(a->name, b->name) == 0 && a->n == b->n &&
+           (a->data == b->data || memcmp(a->data->bytes, b->data->bytes, a->n) == 0);
+}
+
+bool archive_share(archive *a, const archive *b) {
+    size_t same = 0;
+    for (size_t i = 0; i < a->count && i < b->count; i++) {
+        block *mine = &a->list[i];
+        const block *other = &b->list[i];
+        if (!is_same(mine, other))
+            continue;
+        same++;
+        other->data->references++;
+        release(mine->data);
+        mine->data = other->data;
+    }
+    return same == a->count && same == b->count;
+}
+
+size_t archive_bytes(const archive *a) {
+    size_t n = sizeof *a + a->capacity * sizeof *a->list;
+    for (size_t i = 0; i < a->count; i++)
+        n += a->list[i].n / a->list[i].data->references;
+    return n;
 }
 
 /* FNV-1a, 64 bits: finds damage, proves nothing. */
@@ -72,8 +111,8 @@ static bool write_blocks(const archive *a, FILE *f) {
     bool good = fputs(MAGIC, f) >= 0;
     for (size_t i = 0; i < a->count && good; i++) {
         const block *b = &a->list[i];
-        good = fprintf(f, "%s %zu %016" PRIx64 "\n", b->name, b->n, checksum(b->bytes, b->n)) > 0 &&
-               fwrite(b->bytes, 1, b->n, f) == b->n && fputc('\n', f) != EOF;
+        good = fprintf(f, "%s %zu %016" PRIx64 "\n", b->name, b->n, checksum(b->data->bytes, b->n)) > 0 &&
+               fwrite(b->data->bytes, 1, b->n, f) == b->n && fputc('\n', f) != EOF;
     }
     return good && fprintf(f, "end 0 0\n") > 0 && fflush(f) == 0 && fsync(fileno(f)) == 0;
 }

@@ -7,6 +7,7 @@
 
 #include "base/diag.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 typedef struct archive archive;
@@ -20,6 +21,13 @@ void archive_put(archive *a, const char *name, const void *bytes, size_t n);
 /* The block of that name and its size; NULL when there is none. It belongs to the archive; a zero byte follows it, so
  * that text can be read as it is. */
 const char *archive_get(const archive *a, const char *name, size_t *n);
+
+/* Keeps once in memory what two archives have in common, block by block in order: a's blocks become b's. Whether they
+ * are the same altogether. */
+bool archive_share(archive *a, const archive *b);
+
+/* Memory it occupies, bytes; of a block that others have too its part. */
+size_t archive_bytes(const archive *a);
 
 /* Writes the file by way of a temporary one beside it, so that a failure leaves what was there. */
 int archive_write(const archive *a, const char *path, diag *d);

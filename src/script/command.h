@@ -47,7 +47,9 @@ enum {
     COMMAND_JOURNAL = 2,  /* its text belongs to what a restart file replays */
     COMMAND_DECLARES = 3, /* both: everything that defines or amends something by name */
     COMMAND_UNSAFE = 4,   /* refused under -safe */
-    COMMAND_MEANT_TO_FAIL = 8 /* -check leaves out the commands it takes as text */
+    COMMAND_MEANT_TO_FAIL = 8, /* -check leaves out the commands it takes as text */
+    COMMAND_PROMPT = 16,       /* for the prompt: refused in files, pipes and -e */
+    COMMAND_ALONE = 48         /* and there on a line of its own: in no block, no command text */
 };
 
 typedef struct command_form {
@@ -119,6 +121,10 @@ typedef struct name_class {
 } name_class;
 
 void command_add_class(command_table *t, const name_class *c);
+
+/* Called before and after each line or block of a prompt. */
+void command_set_line(command_table *t, void (*begins)(interp *in),
+                      void (*ended)(interp *in, const char *text, int status));
 
 /* What the command layer keeps beside each scene (also beside that of a check). Called by interp_create and
  * interp_free; loop_end when the outermost running loop has ended, not in a check. */

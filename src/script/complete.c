@@ -208,7 +208,7 @@ static void offer_word(completing *c, const scan *s) {
     } else if (is(w, 0, "end")) {
         if (w->n == 1 && s->depth)
             complete_part_offer(c, s->openers[s->depth - 1], false);
-    } else if (execute_is_command(c->in, w->list[0])) {
+    } else if (execute_is_command(c->in, w->list[0]) || is(w, 0, "?")) {
         complete_part_place(c, w);
     } else if (!ends_operand(w)) {
         complete_part_expression(c, false);

@@ -244,7 +244,7 @@ static void offer_topics(completing *c) {
 
 /* help COMMAND WORD: the words of its forms. */
 void complete_part_topics(completing *c, const complete_words *w) {
-    if (strcmp(w->list[0], "help") != 0 && strcmp(w->list[0], "?") != 0)
+    if (strcmp(w->list[0], "help") != 0 && *w->list[0] != '?')
         return;
     if (w->n == 1)
         offer_topics(c);

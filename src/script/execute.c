@@ -27,7 +27,10 @@ void execute_note(interp *in, const reader *r, const diag *d) {
         const frame *f = &in->stack[i];
         if (!f->at.source)
             continue;
-        char *longer = alloc_format("%s%s:%u: in this %s%s%s\n", in->trace, f->at.source->name, f->at.line, f->kind,
+        char place[32] = "";
+        if (*f->at.source->name) /* lines of the prompt have neither name nor number */
+            snprintf(place, sizeof place, ":%u: ", f->at.line);
+        char *longer = alloc_format("%s%s%sin this %s%s%s\n", in->trace, f->at.source->name, place, f->kind,
                                     *f->detail ? ", " : "", f->detail);
         free(in->trace);
         in->trace = longer;
@@ -110,8 +113,27 @@ static int check_warned(interp *in, diag *d) {
     return SARCINA_ERROR;
 }
 
+/* Whether a line of the prompt is running, and no file that it includes. */
+static bool is_typed(const interp *in) {
+    for (int i = 0; i < in->depth; i++)
+        if (in->stack[i].running && *in->stack[i].running->name)
+            return false;
+    return in->prompt;
+}
+
+static int check_prompt(interp *in, const command_form *form, const args *a, diag *d) {
+    if (!is_typed(in))
+        return diag_error(d, "%s is for the prompt: it does not stand in scripts", args_head(a));
+    bool alone = in->depth == 1 && in->commands == 1;
+    if ((form->flags & COMMAND_ALONE) == COMMAND_ALONE && !alone)
+        return diag_error(d, "%s stands on a line of its own, in no block and no other command", args_head(a));
+    return SARCINA_OK;
+}
+
 static int call(interp *in, const command_form *form, const args *a, diag *d) {
     bool shadow = form->flags & COMMAND_SHADOW;
+    if ((form->flags & COMMAND_PROMPT) && check_prompt(in, form, a, d) != SARCINA_OK)
+        return SARCINA_ERROR;
     if (in->check.on && (!shadow || a->unknown || a->nameless || a->redefines))
         return SARCINA_OK;
     if ((form->flags & COMMAND_UNSAFE) && in->host->safe)
@@ -196,7 +218,9 @@ int execute_command(interp *in, const piece *line, diag *d) {
     in->at = piece_span(line, 0, line->n);
     in->noted = false;
     reader_open(&r, in, line);
+    in->commands++;
     int status = dispatch(in, &r, &own);
+    in->commands--;
     if (status) {
         own.status = (sarcina_status)status;
         execute_note(in, &r, &own);

@@ -240,7 +240,7 @@ bool interp_results(const interp *in) {
 /* ---- running ---- */
 
 /* Tells the host about a failure that nothing above will handle. */
-static int tell(interp *in, const diag *d) {
+int interp_tell(interp *in, const diag *d) {
     if (d->status && in->host->error) {
         char *text = interp_explain(in, d);
         in->host->error(in->host->self, text);
@@ -258,13 +258,13 @@ int interp_run_file(interp *in, const char *path) {
     source *s = source_read(path, &d);
     if (s && execute_source(in, interp_keep_source(in, s), "script", &d) == SARCINA_OK)
         return SARCINA_OK;
-    return tell(in, &d);
+    return interp_tell(in, &d);
 }
 
 int interp_run_source(interp *in, const char *name, const char *text) {
     diag d = {0};
     int status = execute_source(in, interp_keep_source(in, source_of_text(name, text)), "script", &d);
-    return status ? tell(in, &d) : SARCINA_OK;
+    return status ? interp_tell(in, &d) : SARCINA_OK;
 }
 
 /* The path of an include: beside the running script, in the working folder, in the library. */
@@ -298,7 +298,7 @@ int interp_expect(interp *in, bool holds, diag *failure) {
         return (int)failure->status;
     diag_place(failure, in->at);
     execute_note(in, NULL, failure);
-    tell(in, failure);
+    interp_tell(in, failure);
     in->noted = false;
     return SARCINA_OK;
 }
@@ -330,15 +330,22 @@ uint64_t interp_fingerprint(const interp *in) {
     return in->fingerprint;
 }
 
-static size_t check_source(interp *in, source *s) {
+static void check_source(interp *shadow, const interp_script *script) {
+    diag d = {0};
+    source *s = script->name ? source_of_text(script->name, script->text) : source_read(script->text, &d);
+    if (!s || execute_source(shadow, interp_keep_source(shadow, s), "script", &d) != SARCINA_OK)
+        execute_report(shadow, &d);
+}
+
+size_t interp_check(interp *in, const interp_script *list, size_t n, bool whole) {
     interp *shadow = interp_create(in->host);
     shadow->check.on = true;
     shadow->units = in->units;
     variables_copy(&shadow->variables, &in->variables);
-    diag d = {0};
-    if (execute_source(shadow, interp_keep_source(shadow, s), "script", &d) != SARCINA_OK)
-        execute_report(shadow, &d);
-    check_unread(shadow);
+    for (size_t i = 0; i < n; i++)
+        check_source(shadow, &list[i]);
+    if (whole)
+        check_unread(shadow);
     size_t errors = shadow->check.errors;
     in->fingerprint = hash_sources(shadow);
     interp_free(shadow);
@@ -346,16 +353,11 @@ static size_t check_source(interp *in, source *s) {
 }
 
 size_t interp_check_file(interp *in, const char *path) {
-    diag d = {0};
-    source *s = source_read(path, &d);
-    if (s)
-        return check_source(in, s);
-    tell(in, &d);
-    return 1;
+    return interp_check(in, &(interp_script){NULL, path}, 1, true);
 }
 
 size_t interp_check_text(interp *in, const char *name, const char *text) {
-    return check_source(in, source_of_text(name, text));
+    return interp_check(in, &(interp_script){name, text}, 1, true);
 }
 
 /* ---- the journal ---- */
@@ -390,49 +392,5 @@ int interp_journal_replay(interp *in, const char *const *texts, size_t n, diag *
         status = interp_execute(in, texts[i], d);
     in->replaying = false;
     in->echo = echo;
-    return status;
-}
-
-/* ---- the prompt ---- */
-
-/* Whether the line is an expression and no command: its first word is none and it parses whole. */
-static expr *line_expression(interp *in, const source *s) {
-    piece p = piece_of_source(s);
-    reader r;
-    reader_open(&r, in, &p);
-    piece_free(&p);
-    word w;
-    expr *e = NULL;
-    bool command = reader_peek(&r, &w, NULL) != SARCINA_OK || !w.text || execute_is_command(in, w.text);
-    if (!command)
-        e = expr_read(&r, EXPR_OPEN, NULL);
-    expr_type type;
-    if (e && (!reader_at_end(&r) || expr_check_formula(in, e, NULL) != SARCINA_OK)) {
-        expr_free(e);
-        e = NULL;
-    }
-    /* a lone word that nothing knows is a slip of a command, not of an expression */
-    if (e && e->root->kind == NODE_NAME && expr_check(in, e, true, false, &type, NULL) != SARCINA_OK) {
-        expr_free(e);
-        e = NULL;
-    }
-    reader_close(&r);
-    return e;
-}
-
-int interp_run_line(interp *in, const char *text) {
-    diag d = {0};
-    source *s = interp_keep_source(in, source_of_text("", text));
-    expr *e = line_expression(in, s);
-    in->noted = false;
-    if (!e)
-        return execute_source(in, s, "text", &d) == SARCINA_OK ? SARCINA_OK : tell(in, &d);
-    replacement note;
-    char *value = expr_print(in, e, NULL, &note, &d);
-    if (value)
-        interp_screen(in, "%s", value);
-    int status = value ? SARCINA_OK : tell(in, &d);
-    free(value);
-    expr_free(e);
     return status;
 }

@@ -115,6 +115,9 @@ echo_mode interp_set_echo(interp *in, echo_mode mode);
 int interp_open_log(interp *in, const char *path, bool append, diag *d); /* path NULL: none */
 int interp_shell(interp *in, const char *command, diag *d);
 const char *interp_environment(interp *in, const char *name); /* NULL: not set */
+const char *interp_date(const interp *in);                    /* "2026-11-21", or "" */
+int interp_edit(interp *in, char **text, diag *d);            /* by the user; *text is replaced */
+bool interp_skips_runs(const interp *in);                     /* -skiprun: nothing grows, nothing moves */
 void interp_quit(interp *in, int code);
 
 /* ---- for the program --------------------------------------------------------------------------------------------- */
@@ -132,9 +135,12 @@ typedef struct interp_host {
     int (*open_log)(void *self, const char *path, bool append, diag *d); /* path NULL: no log */
     int (*shell)(void *self, const char *command, diag *d);
     const char *(*environment)(void *self, const char *name);
+    const char *(*date)(void *self);               /* of today, as 2026-11-21 */
+    int (*edit)(void *self, char **text, diag *d); /* in the user's editor; *text is replaced */
     const volatile sig_atomic_t *interrupt;
     const char *library; /* folder include searches last; NULL */
     bool safe;           /* refuse what is COMMAND_UNSAFE */
+    bool skip_runs;      /* grow and relax nothing */
     bool test;           /* a failed expect is counted and the script goes on */
     bool results;        /* leave the tables that ensembles are merged from */
 } interp_host;
@@ -149,6 +155,14 @@ int interp_set_variable(interp *in, const char *name, const char *text, diag *d)
 /* Checks a script whole, on a scene of its own: every error goes to host->error. Returns how many there were.
  * *unread: the error of a -var that nothing reads counts too. */
 size_t interp_check_file(interp *in, const char *path);
+
+/* The same for several that run one after the other: the later know what the earlier have declared. whole: nothing
+ * follows them, so that a -var which none of them reads is an error. */
+typedef struct interp_script {
+    const char *name; /* as errors show it; NULL: text is the path of a file */
+    const char *text;
+} interp_script;
+size_t interp_check(interp *in, const interp_script *list, size_t n, bool whole);
 size_t interp_check_text(interp *in, const char *name, const char *text);
 
 /* A number that says which texts the last interp_check_* read: the script's and those it includes. */
@@ -158,9 +172,18 @@ uint64_t interp_fingerprint(const interp *in);
 int interp_run_file(interp *in, const char *path);
 int interp_run_source(interp *in, const char *name, const char *text);
 
-/* Runs one line or block of a prompt; the status returns and a failure has been told. *value: it was no command but an
- * expression, whose value has been printed. */
+/* Runs one line or block of a prompt; the status returns and a failure has been told. What is no command but an
+ * expression has its value printed. */
 int interp_run_line(interp *in, const char *text);
+
+/* The text is what interp_run_line takes as an expression. */
+bool interp_is_expression(interp *in, const char *text);
+
+/* What `undo` takes back beside scene and journal: units, echo, warnings, threads; and the variables, those of the
+ * command line too, where interp_variables_load would keep what is not in the text. The caller frees the text. */
+char *interp_settings_save(const interp *in);
+void interp_settings_load(interp *in, const char *text);
+int interp_variables_restore(interp *in, const char *text, diag *d);
 
 /* quit was met; with which code. */
 bool interp_has_quit(const interp *in, int *code);

@@ -350,6 +350,12 @@ void command_add_class(command_table *t, const name_class *c) {
     t->classes[t->nclasses++] = c;
 }
 
+void command_set_line(command_table *t, void (*begins)(interp *in),
+                      void (*ended)(interp *in, const char *text, int status)) {
+    t->line_begins = begins;
+    t->line_ended = ended;
+}
+
 void command_set_client(command_table *t, void *(*create)(interp *in), void (*free_client)(void *client),
                         void (*loop_end)(interp *in)) {
     t->client_create = create;

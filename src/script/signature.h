@@ -90,6 +90,8 @@ struct command_table {
     const char *prelude;
     const command_file *files; /* of the prelude */
     size_t nfiles;
+    void (*line_begins)(interp *in);
+    void (*line_ended)(interp *in, const char *text, int status);
     void *(*client_create)(interp *in);
     void (*client_free)(void *client);
     void (*client_loop_end)(interp *in);

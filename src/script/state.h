@@ -61,8 +61,13 @@ struct interp {
     bool noted;
     char *expanded;
     char *trace;
-    span at; /* of the running command */
+    span at;      /* of the running command */
+    bool prompt;  /* a line of the prompt is running */
+    int commands; /* running inside one another */
 };
+
+/* Tells the host about a failure that nothing above will handle; returns its status. */
+int interp_tell(interp *in, const diag *d);
 
 /* Keeps a source to the end of the interpreter; returns it. */
 source *interp_keep_source(interp *in, source *s);

@@ -174,6 +174,7 @@ static const struct {
     {"print a\nspe", "species"},
     {"help thermo_m", "thermo_modify"},
     {"help dump im", "image"},
+    {"? thermo_m", "thermo_modify"},
     /* what is wrong has none */
     {"nonsense ", ""},
     {"species ball coccus dnsity 1 de", "density"},
