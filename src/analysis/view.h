@@ -9,11 +9,13 @@
 
 #include "mechanics/mechanics.h"
 #include "model/colony.h"
+#include "model/lineage.h"
 #include "model/species.h"
 
 typedef struct view {
     colony *colony;
     const species_table *species;
+    const lineage *dead;  /* mothers of the cells that are no longer there */
     mechanics *mechanics; /* bound to the colony as it stands; NULL: its parts do not fit, what they measure is NaN */
     uint64_t seed, step;  /* cycles done */
     double time, relaxed; /* sums of growth steps and of relaxation, s */

@@ -6,6 +6,7 @@
 #include <Random123/philox.h>
 #include <gsl/gsl_randist.h>
 #include <math.h>
+#include <sleef.h>
 #include <stdlib.h>
 
 /* GSL asks its generator for 32 bits at a time; a Philox block gives eight. */
@@ -94,4 +95,15 @@ void rng_direction(uint64_t seed, uint64_t a, uint64_t b, double u[3]) {
         u[2] = sign * (1 - 2 * s);
         return;
     }
+}
+
+uint64_t rng_poisson(gsl_rng *stream, double mean) {
+    uint64_t n = 0;
+    while (mean > 0) {
+        double part = fmin(mean, 16), least = Sleef_cinz_expd1_u10purec(-part), product = gsl_rng_uniform_pos(stream);
+        for (; product > least; n++)
+            product *= gsl_rng_uniform_pos(stream);
+        mean -= part;
+    }
+    return n;
 }

@@ -20,7 +20,8 @@ typedef enum {
     RNG_CONTACT = 8,   /* direction for contacts and springs of length zero; id mixes the two cells */
     RNG_SCRIPT = 9,    /* random(), normal(), poisson() of scripts */
     RNG_FRAME = 10,    /* frame of a coccus that divides along planes, at its first division */
-    RNG_BRANCH = 11    /* whether a daughter begins a branch */
+    RNG_BRANCH = 11,   /* whether a daughter begins a branch */
+    RNG_ATTACH = 12    /* how many cells attach in a step, and each one's mass, axis and place */
 } rng_purpose;
 
 typedef struct rng rng;
@@ -32,6 +33,10 @@ uint64_t rng_get_seed(const rng *r);
 
 /* The stream of (seed, purpose, id, step), at its beginning. It belongs to r and holds until the next call. */
 gsl_rng *rng_stream(rng *r, rng_purpose purpose, uint64_t id, uint64_t step);
+
+/* A Poisson distributed number. By products of uniform numbers, mean by mean of at most 16 (Knuth 1997, 3.4.1 F): exact
+ * and, unlike the libraries', the same bits on every processor. */
+uint64_t rng_poisson(gsl_rng *stream, double mean);
 
 /* A unit vector from (seed, RNG_CONTACT, a, b), the same for (a, b) and (b, a) but for its sign. Needs no rng, so that
  * force kernels may call it from any thread. */

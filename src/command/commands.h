@@ -24,6 +24,7 @@
     X(region)                                                                                                          \
     X(group)                                                                                                           \
     X(create_cells)                                                                                                    \
+    X(attach)                                                                                                          \
     X(delete_cells)                                                                                                    \
     X(set)                                                                                                             \
     X(grow)                                                                                                            \

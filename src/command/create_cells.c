@@ -3,7 +3,9 @@
 #include "command/commands.h"
 
 #include "command/cell_file.h"
+#include "command/session.h"
 
+#include "base/alloc.h"
 #include "base/table.h"
 #include "biology/division.h"
 
@@ -40,42 +42,104 @@ static int read_placement(interp *in, const args *a, placement *p, diag *d) {
     return read_mass(interp_scene(in), a, p->species, &p->mass, d);
 }
 
-static void report(interp *in, const placement *p, size_t created) {
+/* New cells stand behind those that were there, and join their group. */
+static void finish(interp *in, const args *a, const placement *p, size_t created) {
     const scene *s = interp_scene(in);
+    int bit = args_given(a, "group") ? session_define_group(in, args_text(a, "group")) : -1;
+    for (size_t row = s->colony->cell.count - created; row < s->colony->cell.count && bit >= 0; row++)
+        s->colony->cell.groups[row] |= UINT64_C(1) << bit;
     interp_print(in, "created %zu cell%s of %s: %zu in all", created, created == 1 ? "" : "s",
                  s->species.list[p->species].name, s->colony->cell.count);
 }
 
-static int run_single(interp *in, const args *a, diag *d) {
-    placement p;
-    size_t created;
-    double centre[3] = {args_number(a, "X"), args_number(a, "Y"), args_number(a, "Z")};
-    int status = read_placement(in, a, &p, d);
-    if (!status)
-        status = scene_create_single(interp_scene(in), &p, centre, &created, d);
-    if (!status)
-        report(in, &p, created);
+/* Can the group be made? A check makes it, and no cells. */
+static int begin(interp *in, const args *a, diag *d) {
+    if (!args_given(a, "group"))
+        return SARCINA_OK;
+    int status = session_check_group(in, args_text(a, "group"), d);
+    if (!status && interp_checking(in))
+        session_define_group(in, args_text(a, "group"));
     return status;
 }
 
-static int run_random(interp *in, const args *a, diag *d) {
+/* What each way of creating makes of its own arguments. */
+typedef int create(scene *s, const args *a, const placement *p, size_t *created, diag *d);
+
+static int create_with(interp *in, const args *a, create *how, diag *d) {
     placement p;
     size_t created;
-    scene *s = interp_scene(in);
-    int status = read_placement(in, a, &p, d);
+    int status = begin(in, a, d);
+    if (!status && !interp_checking(in))
+        status = read_placement(in, a, &p, d);
+    if (status || interp_checking(in))
+        return status;
+    status = how(interp_scene(in), a, &p, &created, d);
     if (!status)
-        status =
-            scene_create_random(s, &p, (size_t)args_int(a, "N"), &s->regions.list[args_row(a, "REGION")], &created, d);
-    if (!status)
-        report(in, &p, created);
+        finish(in, a, &p, created);
     return status;
+}
+
+static int create_single(scene *s, const args *a, const placement *p, size_t *created, diag *d) {
+    const double centre[3] = {args_number(a, "X"), args_number(a, "Y"), args_number(a, "Z")};
+    return scene_create_single(s, p, centre, created, d);
+}
+
+static int run_single(interp *in, const args *a, diag *d) {
+    return create_with(in, a, create_single, d);
+}
+
+static int create_random(scene *s, const args *a, const placement *p, size_t *created, diag *d) {
+    const region *where = &s->regions.list[args_row(a, "REGION")];
+    return scene_create_random(s, p, (size_t)args_int(a, "N"), where, 0, created, d);
+}
+
+static int run_random(interp *in, const args *a, diag *d) {
+    return create_with(in, a, create_random, d);
+}
+
+static int create_poisson(scene *s, const args *a, const placement *p, size_t *created, diag *d) {
+    const region *where = &s->regions.list[args_row(a, "REGION")];
+    return scene_create_random(s, p, (size_t)args_int(a, "N"), where, args_number(a, "SPACING"), created, d);
+}
+
+static int run_poisson(interp *in, const args *a, diag *d) {
+    return create_with(in, a, create_poisson, d);
+}
+
+enum { GRID_MAX = 10000000 };
+
+static int create_grid(scene *s, const args *a, const placement *p, size_t *created, diag *d) {
+    const long long n[3] = {args_int(a, "NX"), args_int(a, "NY"), args_int(a, "NZ")};
+    const double step[3] = {args_number(a, "DX"), args_number(a, "DY"), args_number(a, "DZ")};
+    double origin[3];
+    args_vector(a, "origin", origin, 3);
+    if ((double)n[0] * (double)n[1] * (double)n[2] > GRID_MAX)
+        return diag_error(d, "%lld x %lld x %lld cells are more than %d", n[0], n[1], n[2], GRID_MAX);
+    size_t count = (size_t)(n[0] * n[1] * n[2]);
+    cell_row *rows = alloc_zeroed(count, sizeof *rows);
+    for (size_t i = 0; i < count; i++) {
+        const size_t at[3] = {i % (size_t)n[0], i / (size_t)n[0] % (size_t)n[1], i / (size_t)(n[0] * n[1])};
+        rows[i] = (cell_row){.species = p->species, .mass = NAN, .diameter = NAN};
+        for (int k = 0; k < 3; k++)
+            rows[i].centre[k] = origin[k] + (double)at[k] * step[k];
+    }
+    int status = scene_create_rows(s, p, rows, count, created, d);
+    free(rows);
+    return status;
+}
+
+static int run_grid(interp *in, const args *a, diag *d) {
+    return create_with(in, a, create_grid, d);
 }
 
 /* The file may give every cell its mass: only if one lacks it is the command's asked for. */
 static int run_file(interp *in, const args *a, diag *d) {
     cell_row *rows;
     size_t count, created;
-    int status = cell_file_read(in, args_text(a, "FILE"), args_row(a, "NAME"), &rows, &count, d);
+    int status = begin(in, a, d);
+    if (status || interp_checking(in))
+        return status;
+    status = cell_file_read(in, args_text(a, "FILE"), args_row(a, "NAME"), &rows, &count, d);
     if (status)
         return status;
     bool needs_mass = args_given(a, "mass");
@@ -90,7 +154,7 @@ static int run_file(interp *in, const args *a, diag *d) {
     } else {
         status = scene_create_rows(interp_scene(in), &p, rows, count, &created, d);
         if (!status)
-            report(in, &p, created);
+            finish(in, a, &p, created);
     }
     free(rows);
     return status;
@@ -101,8 +165,9 @@ static int run_file(interp *in, const args *a, diag *d) {
         {"mass=50%:mass%~(0,1e-9kg)", "of each cell; a percent is of the mass at division"},                           \
         {"gap:length", "height of the lowest surface above the substratum; takes the place of z"},                     \
         {"filament=1:int[1,100000]", "this many cells in a row, linked filially, in the place of each"},               \
-        {"overlap=no:flag", "may it overlap what is there?"}, {                                                        \
-        "maxtry=1000:int[1,1000000000]", "places drawn for a cell before giving up"                                    \
+        {"overlap=no:flag", "may it overlap what is there?"},                                                          \
+        {"maxtry=1000:int[1,1000000000]", "places drawn for a cell before giving up"}, {                               \
+        "group:+group", "group that the new cells join, made when there is none of that name"                          \
     }
 
 static const param single_params[] = {
@@ -111,23 +176,79 @@ static const param random_params[] = {{"NAME:species", "whose cells"},
                                       {"N:int[1,)", "how many"},
                                       {"REGION:region", "where their centres are drawn"},
                                       COMMON};
+static const param poisson_params[] = {{"NAME:species", "whose cells"},
+                                       {"N:int[1,)", "how many"},
+                                       {"SPACING:length(0,)", "the least distance between the centres of these cells"},
+                                       {"REGION:region", "where their centres are drawn"},
+                                       COMMON};
+static const param grid_params[] = {{"NAME:species", "whose cells"},
+                                    {"NX:int[1,)", "how many along x"},
+                                    {"NY:int[1,)", "how many along y"},
+                                    {"NZ:int[1,)", "how many along z"},
+                                    {"DX:length", "from one centre to the next along x"},
+                                    {"DY:length", "the same along y"},
+                                    {"DZ:length", "the same along z"},
+                                    {"origin=0,0,0:length3", "centre of the first cell"},
+                                    COMMON};
 static const param file_params[] = {
     {"NAME:species", "whose cells, where the file names none"},
     {"FILE:file", "CSV with a header: species x y z mass diameter ux uy uz, units in brackets: x[um]"},
     COMMON};
 
+#define ALL_OR_NONE                                                                                                    \
+    "All of them or none: when there is no room the scene is as before. Room is judged by the cells' own surfaces; "   \
+    "'overlap yes' asks for none."
+
 static const command_form forms[] = {
-    {"create_cells NAME:species single X:length Y:length Z:length", single_params, TABLE_COUNT(single_params),
-     "One cell at a place", NULL,
-     "link filial ecoli k 5e-13N/m break 1um\n"
-     "create_cells ecoli single 0 5um 0 orient x gap 0 mass 86.5% filament 5 overlap no maxtry 10",
-     0, run_single, NULL, 0},
-    {"create_cells NAME:species random N:int[1,) REGION:region", random_params, TABLE_COUNT(random_params),
-     "Cells at random places in a region", "All of them or none: when there is no room the scene is as before.",
-     "create_cells ecoli random 3 box orient random mass uniform 50% 100% gap 0 filament 1 overlap no maxtry 500", 0,
-     run_random, NULL, 0},
-    {"create_cells NAME:species file FILE:file", file_params, TABLE_COUNT(file_params), "Cells from a CSV file", NULL,
-     "create_cells ecoli file cells.csv orient y mass 60% gap 0 filament 1 overlap yes maxtry 1", 0, run_file, NULL, 0},
+    {.head = "create_cells NAME:species single X:length Y:length Z:length",
+     .params = single_params,
+     .nparams = TABLE_COUNT(single_params),
+     .summary = "One cell at a place",
+     .details = ALL_OR_NONE,
+     .example =
+         "link filial ecoli k 5e-13N/m break 1um\n"
+         "create_cells ecoli single 0 5um 0 orient x gap 0 mass 86.5% filament 5 overlap no maxtry 10 group chain",
+     .flags = COMMAND_SHADOW,
+     .run = run_single},
+    {.head = "create_cells NAME:species random N:int[1,) REGION:region",
+     .params = random_params,
+     .nparams = TABLE_COUNT(random_params),
+     .summary = "Cells at random places in a region",
+     .details = "Centres are uniform in the region, which must have bounds. " ALL_OR_NONE,
+     .example =
+         "create_cells ecoli random 3 box orient random mass uniform 50% 100% gap 0 filament 1 overlap no maxtry 500 "
+         "group mothers",
+     .flags = COMMAND_SHADOW,
+     .run = run_random},
+    {.head = "create_cells NAME:species poisson N:int[1,) SPACING:length(0,) REGION:region",
+     .params = poisson_params,
+     .nparams = TABLE_COUNT(poisson_params),
+     .summary = "Cells at random places that keep a distance (dart throwing)",
+     .details = "Centres are uniform in the region but for those nearer than SPACING to one of these cells, which are "
+                "drawn again, maxtry times. " ALL_OR_NONE,
+     .example = "create_cells ecoli poisson 10 1um box orient xy mass 60% gap 0 filament 1 overlap yes maxtry 1000 "
+                "group mothers",
+     .flags = COMMAND_SHADOW,
+     .run = run_poisson},
+    {.head = "create_cells NAME:species grid NX:int[1,) NY:int[1,) NZ:int[1,) DX:length DY:length DZ:length",
+     .params = grid_params,
+     .nparams = TABLE_COUNT(grid_params),
+     .summary = "Cells on the points of a grid",
+     .details = "Centre (i, j, k) is origin + (i DX, j DY, k DZ), from 0. Ids go along x, then y, then z. " ALL_OR_NONE,
+     .example = "create_cells ecoli grid 3 3 1 2um 6um 0 origin 40um 40um 0 orient y mass 60% gap 0 filament 1 overlap no "
+                "maxtry 1 "
+                "group mothers",
+     .flags = COMMAND_SHADOW,
+     .run = run_grid},
+    {.head = "create_cells NAME:species file FILE:file",
+     .params = file_params,
+     .nparams = TABLE_COUNT(file_params),
+     .summary = "Cells from a CSV file",
+     .details = "What a row leaves empty is drawn as for the others. " ALL_OR_NONE,
+     .example =
+         "create_cells ecoli file cells.csv orient y mass 60% gap 0 filament 1 overlap yes maxtry 1 group mothers",
+     .flags = COMMAND_SHADOW,
+     .run = run_file},
 };
 
 void command_create_cells(command_table *t) {

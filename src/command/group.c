@@ -144,24 +144,28 @@ static void tell_replaced(interp *in, const char *name) {
     s->told_replaced = true;
 }
 
-int session_define_group(interp *in, const char *name, int *bit, diag *d) {
+int session_check_group(interp *in, const char *name, diag *d) {
+    const group_table *t = &interp_scene(in)->groups;
+    if (group_find(t, name) >= 0 || count_static(in) < GROUP_MAX)
+        return SARCINA_OK;
+    diag_error(d, "there are %d groups already, as many as there may be", GROUP_MAX);
+    return diag_help(d, "take one out (group ID off); dynamic groups do not count");
+}
+
+int session_define_group(interp *in, const char *name) {
     session *s = session_of(in);
     group_table *t = &interp_scene(in)->groups;
-    *bit = group_find(t, name);
-    if (*bit < 0)
-        *bit = group_add(t, name);
-    if (*bit < 0) {
-        diag_error(d, "there are %d groups already, as many as there may be", GROUP_MAX);
-        return diag_help(d, "take one out (group ID off); dynamic groups do not count");
-    }
+    int bit = group_find(t, name);
     ptrdiff_t old = find_dynamic(s, name);
     if (old >= 0)
         drop_dynamic(s, (size_t)old);
+    if (bit < 0)
+        bit = group_add(t, name);
     /* a restart file puts its cells in */
     char *text = alloc_format("group %s where 0", name);
     interp_journal_add(in, text);
     free(text);
-    return SARCINA_OK;
+    return bit;
 }
 
 static void report(interp *in, const char *name, const bool *flags) {
@@ -169,7 +173,7 @@ static void report(interp *in, const char *name, const bool *flags) {
     for (size_t i = 0; i < n; i++)
         members += flags[i];
     interp_print(in, "group %s: %zu of %zu cells", name, members, n);
-    if (members == 0)
+    if (members == 0 && !interp_checking(in))
         interp_warn(in,
                     "group %s is empty, and only daughters of its cells join it; 'group %s dynamic ...' is judged "
                     "anew at every look",
@@ -180,14 +184,13 @@ static int run_where(interp *in, const args *a, diag *d) {
     const char *name = args_text(a, "ID");
     colony *c = interp_scene(in)->colony;
     bool *flags = alloc_zeroed(c->cell.count, sizeof *flags);
-    int bit, status = interp_checking(in) ? SARCINA_OK : interp_flags(in, args_expr(a, "TEST"), flags, d);
+    int status = interp_checking(in) ? SARCINA_OK : interp_flags(in, args_expr(a, "TEST"), flags, d);
+    if (!status)
+        status = session_check_group(in, name, d);
     if (!status) {
         if (is_group(in, name))
             tell_replaced(in, name);
-        status = session_define_group(in, name, &bit, d);
-    }
-    if (!status && !interp_checking(in)) {
-        group_assign(bit, c, flags);
+        group_assign(session_define_group(in, name), c, flags);
         report(in, name, flags);
     }
     free(flags);
@@ -261,6 +264,10 @@ int session_check_unused(interp *in, const char *noun, const char *name, diag *d
     for (size_t i = 0; i < o->nanalyses; i++)
         if (strcmp(o->analyses[i].group, name) == 0)
             user = "analyze", id = o->analyses[i].id;
+    const attachment_table *t = &interp_scene(in)->attachments;
+    for (size_t i = 0; i < t->count; i++)
+        if (strcmp(t->list[i].where.name, name) == 0)
+            user = "attach", id = interp_scene(in)->species.list[t->list[i].placement.species].name;
     if (!user)
         return SARCINA_OK;
     diag_error(d, "%s %s is used by %s %s", noun, name, user, id);

@@ -7,6 +7,7 @@
 #include "base/table.h"
 #include "output/progress.h"
 
+#include <inttypes.h>
 #include <math.h>
 
 /* What one run is made of. */
@@ -155,6 +156,17 @@ static int run_all_cycles(interp *in, const plan *p, diag *d) {
     return status;
 }
 
+/* Cells that arrived in a run, and those for which there was no place. */
+static void tell_attached(interp *in, uint64_t arrived, uint64_t crowded) {
+    const attachment_table *t = &interp_scene(in)->attachments;
+    arrived = t->arrived - arrived;
+    crowded = t->crowded - crowded;
+    if (crowded)
+        interp_print(in, "attached %" PRIu64 " cells; %" PRIu64 " found no place", arrived, crowded);
+    else if (arrived)
+        interp_print(in, "attached %" PRIu64 " cells", arrived);
+}
+
 static int run_cycles(interp *in, const plan *p, diag *d) {
     session *s = session_of(in);
     scene *sc = interp_scene(in);
@@ -163,9 +175,10 @@ static int run_cycles(interp *in, const plan *p, diag *d) {
         return status;
     run_report_begin(in, &s->report);
     double before = scene_clock();
-    uint64_t first = sc->step;
+    uint64_t first = sc->step, arrived = sc->attachments.arrived, crowded = sc->attachments.crowded;
     status = run_all_cycles(in, p, d);
     run_report_end(in, &s->report, scene_clock() - before, sc->step - first);
+    tell_attached(in, arrived, crowded);
     return status;
 }
 

@@ -51,8 +51,12 @@ int session_group_members(interp *in, size_t i, const view *v, bool *flags, diag
 /* Row of a group (all, a species, a region, one of its own) in the class "group"; -1: there is none. */
 int session_find_group(interp *in, const char *name);
 
-/* The bit of a group that cells can be put into, made where there is none; a dynamic one of that name goes. */
-int session_define_group(interp *in, const char *name, int *bit, diag *d);
+/* An error when there are so many groups that this one could not be made. */
+int session_check_group(interp *in, const char *name, diag *d);
+
+/* The bit of a group that cells can be put into, made where there is none (session_check_group must have passed); a
+ * dynamic one of that name goes. */
+int session_define_group(interp *in, const char *name);
 
 /* An error when something that stands still uses this region or group. */
 int session_check_unused(interp *in, const char *noun, const char *name, diag *d);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* New cells: drawn or given, put where there is room, all or none. */
 #include "engine/scene.h"
+#include "engine/spots.h"
 
 #include "base/alloc.h"
 #include "base/vec3.h"
@@ -246,34 +247,67 @@ int scene_check_region(const region *where, diag *d) {
     return diag_help(d, "give it finite ends, and side in");
 }
 
-int scene_create_random(scene *s, const placement *p, size_t n, const region *where, size_t *created, diag *d) {
+/* Draws places until there is one with room, and far enough from `apart` (NULL: anywhere); counts as one of the tries
+ * what is too near. */
+static bool find_place(scene *s, const placement *p, new_group g, const region *where, spots *apart, gsl_rng *stream) {
+    for (int k = 0; k < p->maxtry; k++) {
+        double point[3];
+        region_draw(where, stream, point);
+        vec3 axis = draw_axis(p, stream);
+        if (apart && !spots_are_free(apart, point))
+            continue;
+        put_group(s, g, point, axis, p->gap);
+        if (!p->overlap && !group_has_room(s->colony, g, g.first))
+            continue;
+        if (apart)
+            spots_add(apart, point);
+        return true;
+    }
+    return false;
+}
+
+static int no_spot(size_t fitted, size_t wanted, const region *where, double spacing, int tries, diag *d) {
+    diag_error(d, "%zu of %zu cells fitted into %s %.3g um apart, then %d tries found no place; none was created",
+               fitted, wanted, where->name, spacing, tries);
+    return diag_help(d, "take fewer cells, a smaller spacing, a larger region or a larger maxtry");
+}
+
+int scene_create_random(scene *s, const placement *p, size_t n, const region *where, double spacing, size_t *created,
+                        diag *d) {
     int status = check_placement(s, p, d);
-    double point[3];
     if (!status)
         status = scene_check_region(where, d);
     if (status)
         return status;
     mark m = set_mark(s);
+    spots *apart = spacing > 0 ? spots_create(n, spacing) : NULL;
     for (size_t i = 0; i < n; i++) {
         gsl_rng *stream = rng_stream(s->rng, RNG_CREATE, s->colony->next_cell_id, 0);
         double mass = draw_mass(p, stream);
         new_group g = add_group(s, p, p->species, mass, NAN);
-        bool room = false;
         /* add_group has drawn from other streams: open this one again behind the mass */
         stream = rng_stream(s->rng, RNG_CREATE, s->colony->cell.id[g.first], 1);
-        for (int k = 0; k < p->maxtry && !room; k++) {
-            region_draw(where, stream, point);
-            put_group(s, g, point, draw_axis(p, stream), p->gap);
-            room = p->overlap || group_has_room(s->colony, g, g.first);
+        if (find_place(s, p, g, where, apart, stream)) {
+            link_group(s, g);
+            continue;
         }
-        if (!room) {
-            return_to(s, m);
-            return no_room(i + 1, n, p->maxtry, d);
-        }
-        link_group(s, g);
+        return_to(s, m);
+        status = apart ? no_spot(i, n, where, spacing, p->maxtry, d) : no_room(i + 1, n, p->maxtry, d);
+        break;
     }
+    spots_free(apart);
     *created = s->colony->cell.count - m.cells;
-    return SARCINA_OK;
+    return status;
+}
+
+bool scene_create_arrival(scene *s, const placement *p, const region *where, uint64_t id, uint64_t step) {
+    mark m = set_mark(s);
+    double mass = draw_mass(p, rng_stream(s->rng, RNG_ATTACH, id, step));
+    new_group g = add_group(s, p, p->species, mass, NAN);
+    bool placed = find_place(s, p, g, where, NULL, rng_stream(s->rng, RNG_ATTACH, id + 1, step));
+    if (!placed)
+        return_to(s, m);
+    return placed;
 }
 
 int scene_create_rows(scene *s, const placement *p, const cell_row *rows, size_t n, size_t *created, diag *d) {

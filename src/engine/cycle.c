@@ -4,6 +4,7 @@
 
 #include "biology/division.h"
 #include "biology/growth.h"
+#include "engine/attach.h"
 #include "engine/snapshot.h"
 #include "model/link_check.h"
 
@@ -35,7 +36,9 @@ static int check_links(const scene *s, diag *d) {
 
 int scene_grow(scene *s, double dt, diag *d) {
     double t = scene_clock();
-    int status = growth_step(s->colony, &s->species, s->rng, s->growth_steps, dt, d);
+    int status = attach_check(s, dt, d);
+    if (!status)
+        status = growth_step(s->colony, &s->species, s->rng, s->growth_steps, dt, d);
     if (status)
         return status;
     s->growth_steps++;
@@ -50,6 +53,7 @@ int scene_grow(scene *s, double dt, diag *d) {
                                 .substratum_z = s->forces.term[FORCE_SUBSTRATUM].p[SUBSTRATUM_Z]};
     division_step(&x);
     scene_refresh_links(s);
+    attach_step(s, s->growth_steps, dt);
     s->colony->version++; /* masses and rest lengths have changed */
     clock_stage(&s->timing.divide, t);
     return check_links(s, d);

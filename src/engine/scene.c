@@ -33,6 +33,7 @@ scene *scene_create(void) {
     s->rng = rng_create(1);
     s->mechanics = mechanics_create();
     s->cache = view_cache_create();
+    s->dead = lineage_create();
     s->threads = 1;
     set_defaults(s);
     return s;
@@ -48,6 +49,8 @@ void scene_free(scene *s) {
     free(s->species.list);
     free(s->regions.list);
     link_rules_free(&s->links);
+    free(s->attachments.list);
+    lineage_free(s->dead);
     free(s);
 }
 
@@ -56,6 +59,9 @@ void scene_clear(scene *s) {
     s->species.count = 0;
     s->regions.count = 0;
     memset(&s->groups, 0, sizeof s->groups);
+    s->attachments.count = s->attachments.serials = s->attachments.arrived = s->attachments.crowded = 0;
+    lineage_free(s->dead);
+    s->dead = lineage_create();
     set_defaults(s);
 }
 
@@ -100,6 +106,7 @@ view scene_view(scene *s) {
     refresh_cache(s);
     return (view){.colony = s->colony,
                   .species = &s->species,
+                  .dead = s->dead,
                   .mechanics = bound ? s->mechanics : NULL,
                   .seed = rng_get_seed(s->rng),
                   .step = s->step,
@@ -117,8 +124,10 @@ void scene_delete(scene *s, const bool *doomed) {
     for (uint32_t i = 0; i < n; i++)
         if (!doomed[i])
             rows[kept++] = i;
-    if (kept < n)
+    if (kept < n) {
+        lineage_add(&s->dead, s->colony, doomed);
         colony_arrange(s->colony, rows, kept);
+    }
     free(rows);
 }
 

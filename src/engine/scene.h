@@ -19,6 +19,36 @@
 
 #include <signal.h>
 
+/* Where and how new cells are put. */
+typedef enum { ORIENT_X, ORIENT_Y, ORIENT_Z, ORIENT_XY, ORIENT_RANDOM, ORIENT_VECTOR } orient_kind;
+
+typedef struct placement {
+    int species;
+    orient_kind orient;
+    double axis[3]; /* ORIENT_VECTOR */
+    spread mass;    /* pg */
+    double gap;     /* lowest surface this far above the substratum, um; NaN: the given z counts */
+    bool overlap;   /* may it overlap what is there (and what is created with it)? */
+    int filament;   /* a straight chain of this many cells, linked filially, takes the place of each; 0, 1: one */
+    int maxtry;     /* draws of a place before giving up */
+} placement;
+
+/* Cells of a species that arrive in a region at a rate. */
+typedef struct attachment {
+    placement placement; /* gap: NaN */
+    bool mass_is_part;   /* the mass is one of that at division */
+    region where;        /* a copy: the region stands while something attaches in it */
+    double rate;         /* 1/s */
+    uint64_t serial;     /* of its random streams */
+} attachment;
+
+typedef struct attachment_table {
+    attachment *list;
+    size_t count, capacity;
+    uint64_t serials;          /* given out */
+    uint64_t arrived, crowded; /* cells that did, and those that found no place */
+} attachment_table;
+
 /* Seconds of wall time by stage; force and build are parts of relax; output is added by who writes it. */
 typedef struct scene_timing {
     double grow, divide, relax, force, build, output, total;
@@ -39,6 +69,8 @@ typedef struct scene {
     region_table regions;
     link_rules links;
     group_table groups;
+    attachment_table attachments;
+    lineage *dead; /* mothers of the cells that are no longer there */
     force_set forces;
     neighbor_settings neighbor;
     relax_settings relax;
@@ -76,7 +108,8 @@ int scene_prepare(scene *s, diag *d);
 /* Shows the scene to measures. Where it cannot be prepared, its mechanics are NULL and what they measure is NaN. */
 view scene_view(scene *s);
 
-/* Grows every cell for dt and divides those that are due, as one step; in the order of their ids. */
+/* Grows every cell for dt and divides those that are due, as one step, in the order of their ids; then come the cells
+ * that attach in that time. */
 int scene_grow(scene *s, double dt, diag *d);
 
 /* Relaxes for time, or until the largest net force is below force (> 0). */
@@ -95,20 +128,6 @@ void scene_refresh_links(scene *s);
 /* Sticks, at once, the cells that are near enough to do so; *formed: how many links. */
 int scene_stick(scene *s, size_t *formed, diag *d);
 
-/* Where and how new cells are put. */
-typedef enum { ORIENT_X, ORIENT_Y, ORIENT_Z, ORIENT_XY, ORIENT_RANDOM, ORIENT_VECTOR } orient_kind;
-
-typedef struct placement {
-    int species;
-    orient_kind orient;
-    double axis[3]; /* ORIENT_VECTOR */
-    spread mass;    /* pg */
-    double gap;     /* lowest surface this far above the substratum, um; NaN: the given z counts */
-    bool overlap;   /* may it overlap what is there (and what is created with it)? */
-    int filament;   /* a straight chain of this many cells, linked filially, takes the place of each; 0, 1: one */
-    int maxtry;     /* draws of a place before giving up */
-} placement;
-
 /* A cell read from a file or given whole; axis 0 0 0 and mass/diameter NaN: drawn as for the others. */
 typedef struct cell_row {
     int species;
@@ -121,8 +140,18 @@ int scene_check_region(const region *where, diag *d);
 
 /* All of them or none. *created: how many. */
 int scene_create_single(scene *s, const placement *p, const double centre[3], size_t *created, diag *d);
-int scene_create_random(scene *s, const placement *p, size_t n, const region *where, size_t *created, diag *d);
+int scene_create_random(scene *s, const placement *p, size_t n, const region *where, double spacing, size_t *created,
+                        diag *d); /* centres this far apart, um; 0: as they come */
 int scene_create_rows(scene *s, const placement *p, const cell_row *rows, size_t n, size_t *created, diag *d);
+
+/* One cell from the streams (RNG_ATTACH, id, step) and (RNG_ATTACH, id + 1, step); false: no place was found, and
+ * nothing has changed. */
+bool scene_create_arrival(scene *s, const placement *p, const region *where, uint64_t id, uint64_t step);
+
+/* The attachment of a species in a region, a new one with nothing set where there is none; and the end of all of a
+ * species. */
+attachment *scene_attach(scene *s, int species_row, const region *where);
+void scene_attach_off(scene *s, int species_row);
 
 /* Deletes the cells whose flag is set (by cell row), with their links. */
 void scene_delete(scene *s, const bool *doomed);

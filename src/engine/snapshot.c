@@ -10,7 +10,8 @@
 
 struct snapshot {
     colony *colony;
-    uint64_t step, growth_steps, deletions;
+    lineage *dead;
+    uint64_t step, growth_steps, deletions, arrived, crowded;
     double time, relaxed;
 };
 
@@ -18,6 +19,9 @@ snapshot *snapshot_take(const scene *s) {
     snapshot *p = alloc_zeroed(1, sizeof *p);
     p->colony = colony_create();
     colony_copy(p->colony, s->colony);
+    p->dead = lineage_keep(s->dead);
+    p->arrived = s->attachments.arrived;
+    p->crowded = s->attachments.crowded;
     p->step = s->step;
     p->growth_steps = s->growth_steps;
     p->deletions = s->deletions;
@@ -30,11 +34,16 @@ void snapshot_free(snapshot *p) {
     if (!p)
         return;
     colony_free(p->colony);
+    lineage_free(p->dead);
     free(p);
 }
 
 void snapshot_restore(scene *s, const snapshot *p) {
     colony_copy(s->colony, p->colony);
+    lineage_free(s->dead);
+    s->dead = lineage_keep(p->dead);
+    s->attachments.arrived = p->arrived;
+    s->attachments.crowded = p->crowded;
     s->step = p->step;
     s->growth_steps = p->growth_steps;
     s->deletions = p->deletions;
@@ -68,6 +77,7 @@ void snapshot_save(scene *s, archive *a) {
     archive_put(a, "clock", clock, strlen(clock));
     free(clock);
     colony_walk(c, save_column, a);
+    archive_put(a, "lineage", lineage_pairs(s->dead), 16 * lineage_count(s->dead));
 }
 
 static int load_column(void *self, const char *table, const char *column, void *data, size_t row_bytes, size_t rows) {
@@ -109,9 +119,11 @@ int snapshot_load(scene *s, const archive *a, diag *d) {
     if (!clock || sscanf(clock, CLOCK_SCAN, &step, &growth_steps, &deletions, &time, &relaxed, &seed, &next_cell,
                          &next_link, &formed, &broken, &particles, &cells, &links, &springs) != CLOCK_ITEMS)
         return diag_error(d, "the restart file has no state");
+    size_t bytes = 0;
+    const char *pairs = archive_get(a, "lineage", &bytes);
     colony *c = colony_create();
     colony_resize(c, particles, cells, links, springs);
-    if (colony_walk(c, load_column, (void *)a) || !is_consistent(c, s->species.count)) {
+    if (bytes % 16 || colony_walk(c, load_column, (void *)a) || !is_consistent(c, s->species.count)) {
         colony_free(c);
         return diag_error(d, "the restart file's columns do not fit together");
     }
@@ -120,6 +132,8 @@ int snapshot_load(scene *s, const archive *a, diag *d) {
     c->links_formed = formed;
     c->links_broken = broken;
     colony_copy(s->colony, c);
+    lineage_free(s->dead);
+    s->dead = lineage_of_pairs((const void *)pairs, bytes / 16);
     colony_free(c);
     s->step = step;
     s->growth_steps = growth_steps;

@@ -69,24 +69,28 @@ static const struct {
     const char *name, *dimension;
     double lo, hi; /* SI */
     const char *range;
+    const char *command; /* NULL: any */
 } plausible[] = {
-    {"diameter", "length", 1e-7, 1e-4, "0.1um to 100um"},
-    {"X", "length", -1e-2, 1e-2, "within 1cm"},
-    {"Y", "length", -1e-2, 1e-2, "within 1cm"},
-    {"Z", "length", -1e-2, 1e-2, "within 1cm"},
-    {"mass", "mass", 1e-17, 1e-11, "1e-17kg to 1e-11kg"},
-    {"rate", "rate", 1e-3 / 3600, 10.0 / 3600, "0.001/h to 10/h"},
-    {"DT", "time", 1, 3600, "1s to 1h"},
-    {"grow", "time", 1, 3600, "1s to 1h"},
-    {"T", "time", 1e-2, 100, "10ms to 100s"},
-    {"relax", "time", 1e-2, 100, "10ms to 100s"},
-    {"k", "stiffness", 1e-15, 1e-6, "1e-15N/m to 1e-6N/m"},
+    {"diameter", "length", 1e-7, 1e-4, "0.1um to 100um", NULL},
+    {"X", "length", -1e-2, 1e-2, "within 1cm", NULL},
+    {"Y", "length", -1e-2, 1e-2, "within 1cm", NULL},
+    {"Z", "length", -1e-2, 1e-2, "within 1cm", NULL},
+    {"mass", "mass", 1e-17, 1e-11, "1e-17kg to 1e-11kg", NULL},
+    {"rate", "rate", 1e-3 / 3600, 10.0 / 3600, "0.001/h to 10/h", "growth"},
+    {"rate", "rate", 1e-3 / 3600, 1e4 / 3600, "0.001/h to 10000/h", "attach"},
+    {"DT", "time", 1, 3600, "1s to 1h", NULL},
+    {"grow", "time", 1, 3600, "1s to 1h", NULL},
+    {"T", "time", 1e-2, 100, "10ms to 100s", NULL},
+    {"relax", "time", 1e-2, 100, "10ms to 100s", NULL},
+    {"k", "stiffness", 1e-15, 1e-6, "1e-15N/m to 1e-6N/m", NULL},
 };
 
 void argument_warn(args *a, const slot *s, const word *w, double si) {
     dim d;
     for (size_t i = 0; i < TABLE_COUNT(plausible); i++) {
         if (strcmp(plausible[i].name, s->name) != 0 || !dim_by_name(plausible[i].dimension, &d) || !dim_equal(d, s->d))
+            continue;
+        if (plausible[i].command && strcmp(plausible[i].command, a->form->head[0].name) != 0)
             continue;
         bool fits = (si >= plausible[i].lo && si <= plausible[i].hi) || si == 0;
         const char *usual[1];

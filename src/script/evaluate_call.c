@@ -177,6 +177,34 @@ static int ask(evaluation *e, const node *n, const function_style *f, const oper
     return SARCINA_OK;
 }
 
+/* descends(ID): across the dead too. */
+static int descend(evaluation *e, const node *n, const operand *a, operand *out, diag *d) {
+    if (a->is_text || a->extent != OPERAND_ONE || (!a->wild && !dim_is_none(a->d))) {
+        diag_error(d, "descends takes the id of one cell");
+        return evaluate_refuse(n->args[0], d);
+    }
+    *out = (operand){.extent = OPERAND_CELLS, .is_truth = true};
+    out->unknown = a->unknown || e->types_only || e->untaken || e->in->check.on;
+    if (out->unknown)
+        return SARCINA_OK;
+    const view *v;
+    int status = evaluate_view(e, &v, d);
+    if (status)
+        return status;
+    if (!(a->one >= 1) || a->one != floor(a->one) || a->one >= (double)v->colony->next_cell_id) {
+        diag_error(d, "there has never been a cell %g", a->one);
+        return evaluate_refuse(n->args[0], d);
+    }
+    out->n = v->colony->cell.count;
+    out->v = alloc_zeroed(out->n, sizeof *out->v);
+    bool *flags = alloc_zeroed(out->n, sizeof *flags);
+    lineage_mark(v->dead, v->colony, (uint64_t)a->one, flags);
+    for (size_t i = 0; i < out->n; i++)
+        out->v[i] = flags[i];
+    free(flags);
+    return SARCINA_OK;
+}
+
 /* ternary(test, yes, no): only the one that is taken is computed. */
 static int choose(evaluation *e, const node *n, operand *out, diag *d) {
     operand test = {0}, yes = {0}, no = {0};
@@ -232,6 +260,8 @@ int evaluate_call(evaluation *e, const node *n, operand *out, diag *d) {
         status = evaluate_node(e, n->args[i], &a[i], d);
     if (!status && (f->rule == FUNCTION_FILE || f->rule == FUNCTION_DEFINED)) {
         status = ask(e, n, f, a, out, d);
+    } else if (!status && f->rule == FUNCTION_DESCENDS) {
+        status = descend(e, n, a, out, d);
     } else if (!status) {
         status = argument_dims(e, n, f, a, out, d);
         if (!status)

@@ -60,6 +60,7 @@ const function_style function_styles[] = {
     OTHER(random, FUNCTION_RANDOM, "random(lo, hi)", "drawn anew at every look, uniform", 2),
     OTHER(normal, FUNCTION_RANDOM, "normal(mean, sd)", "drawn anew at every look, normal", 2),
     OTHER(poisson, FUNCTION_RANDOM, "poisson(mean)", "drawn anew at every look, Poisson", 1),
+    OTHER(descends, FUNCTION_DESCENDS, "descends(ID)", "whether a cell is that one or descends from it", 1),
     OTHER(is_file, FUNCTION_FILE, "is_file(\"FILE\")", "whether this file can be read", 1),
     OTHER(defined, FUNCTION_DEFINED, "defined(\"NAME\")", "whether something is called so", 1),
 };

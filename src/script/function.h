@@ -12,6 +12,7 @@ typedef enum {
     FUNCTION_SIGN,   /* any dimension, the same for all arguments, to a pure number */
     FUNCTION_RANDOM, /* draws */
     FUNCTION_CHOICE, /* ternary(test, yes, no) */
+    FUNCTION_DESCENDS, /* descends(ID): a truth per cell */
     FUNCTION_FILE,   /* is_file("F") */
     FUNCTION_DEFINED /* defined("NAME") */
 } function_rule;
