@@ -23,6 +23,8 @@ int main(int argc, char **argv) {
     mandoc m = {.commands = t, .source = argv[1], .target = argv[2]};
     mandoc_commands(&m);
     mandoc_sources(&m);
+    mandoc_editors(&m);
+    mandoc_shells(&m);
     command_table_free(t);
     units_free(u);
     return m.failed;

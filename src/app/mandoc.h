@@ -44,6 +44,10 @@ void mandoc_topics(page *p);
 /* The pages of man/src, whose lines @NAME stand for what comes from tables (mandoc_source.c). */
 void mandoc_sources(mandoc *m);
 
+/* Syntax files for Vim and VS Code, in editors/; completion by bash, in completions/. */
+void mandoc_editors(mandoc *m);
+void mandoc_shells(mandoc *m);
+
 /* One page a command: sarcina-COMMAND(7). */
 void mandoc_commands(mandoc *m);
 

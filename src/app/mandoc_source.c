@@ -3,6 +3,7 @@
  * comes from the tables of the program:
  *
  *     @options @commands @topics @prelude @foreign    options, commands by topic, topics, the prelude, LAMMPS's words
+ *     @warts                                          the scripts of tests/language/warts, and what they answer
  *     @rows NAME                                      a table of topics, as help shows it
  *     @example ... @prints ... @end                   lines of a script, and what they print; both run as tests
  *     @shell ... @end                                 lines of a shell, run as tests
@@ -163,6 +164,75 @@ static void put_example(reading *r) {
     free(text.chars);
 }
 
+/* A file as literal lines, without those of its head that begin with '#', and without carriage returns. */
+static void put_file(reading *r, const char *path, bool skip_head) {
+    FILE *f = fopen(path, "r");
+    page text = {0};
+    char *line = NULL;
+    size_t room = 0;
+    while (f && getline(&line, &room, f) > 0) {
+        line[strcspn(line, "\r\n")] = '\0';
+        skip_head = skip_head && *line == '#';
+        if (!skip_head)
+            page_put(&text, "%s\n", line);
+    }
+    if (f)
+        fclose(f);
+    else
+        complain(r, path);
+    mandoc_literal(r->out, text.chars ? text.chars : "");
+    free(text.chars);
+    free(line);
+}
+
+/* "# KEY: TEXT" of a wart's head as a paragraph behind `before`; KEY wart is the title. */
+static void put_wart_head(reading *r, const char *path) {
+    static const struct {
+        const char *key, *before;
+    } keys[] = {
+        {"# wart: ", ".Ss "}, {"# lammps: ", "LAMMPS: "}, {"# here: ", ".Pp\nHere: "}, {"# run: ", ".Pp\nRun by: "}};
+    FILE *f = fopen(path, "r");
+    char *line = NULL;
+    size_t room = 0;
+    while (f && getline(&line, &room, f) > 0 && *line == '#') {
+        line[strcspn(line, "\r\n")] = '\0';
+        for (size_t i = 0; i < TABLE_COUNT(keys); i++)
+            if (strncmp(line, keys[i].key, strlen(keys[i].key)) == 0) {
+                page_put(r->out, "%s", keys[i].before);
+                mandoc_text(r->out, line + strlen(keys[i].key));
+            }
+    }
+    free(line);
+    if (f)
+        fclose(f);
+}
+
+/* Every script of tests/language/warts, and its answer beside it. */
+static void put_warts(reading *r) {
+    struct dirent **entries;
+    char *folder = alloc_format("%s/tests/language/warts", r->m->source);
+    int n = scandir(folder, &entries, NULL, alphasort);
+    for (int i = 0; i < n; i++) {
+        const char *dot = strrchr(entries[i]->d_name, '.');
+        if (dot && strcmp(dot, ".in") == 0) {
+            char *script = alloc_format("%s/%s", folder, entries[i]->d_name);
+            char *answer = alloc_format("%s/%.*s.out", folder, (int)(dot - entries[i]->d_name), entries[i]->d_name);
+            put_wart_head(r, script);
+            put_file(r, script, true);
+            page_put(r->out, "answers\n");
+            put_file(r, answer, false);
+            free(script);
+            free(answer);
+        }
+        free(entries[i]);
+    }
+    if (n >= 0)
+        free(entries);
+    else
+        complain(r, "there are no warts");
+    free(folder);
+}
+
 static void put_named_rows(reading *r, const char *name) {
     const topic *t = topic_find(name);
     if (t && t->rows)
@@ -184,6 +254,8 @@ static void put_directive(reading *r) {
         put_prelude(r->out, t);
     else if (strcmp(line, "@foreign") == 0)
         put_foreign(r->out);
+    else if (strcmp(line, "@warts") == 0)
+        put_warts(r);
     else if (strncmp(line, "@rows ", 6) == 0)
         put_named_rows(r, line + 6);
     else if (strcmp(line, "@example") == 0 || strcmp(line, "@shell") == 0)

@@ -353,8 +353,10 @@ int execute_one_line_if(interp *in, reader *r, diag *d) {
 static int run_statement(interp *in, const statement *s, diag *d) {
     static const char *const kinds[] = {"command", "if", "for", "while", "repeat"};
     if (s->kind == STATEMENT_COMMAND) {
-        if (s->commented && !in->check.on)
+        if (s->commented && !in->check.on) {
+            in->at = piece_span(&s->line, 0, s->line.n);
             interp_warn(in, "a comment behind &: the line goes on");
+        }
         return execute_command(in, &s->line, d);
     }
     if (s->kind == STATEMENT_IF)

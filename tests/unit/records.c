@@ -12,6 +12,7 @@
 
 #include "script/block.h"
 #include "script/control.h"
+#include "script/foreign.h"
 #include "script/signature.h"
 #include "script/topic.h"
 
@@ -128,6 +129,52 @@ static void test_topics(void **state) {
     assert_int_equal(wrong, 0);
 }
 
+/* One @example ... @prints ... @end of a page; false at the end of the file. The caller frees both. */
+static bool next_example(FILE *f, char **example, char **prints) {
+    char line[512];
+    char **to = NULL;
+    *example = alloc_copy("");
+    *prints = NULL;
+    while (fgets(line, sizeof line, f)) {
+        if (strcmp(line, "@example\n") == 0)
+            to = example;
+        else if (to && strcmp(line, "@prints\n") == 0)
+            *(to = prints) = alloc_copy("");
+        else if (to && strcmp(line, "@end\n") == 0)
+            return true;
+        else if (to)
+            script_host_append(to, line);
+    }
+    free(*example);
+    return false;
+}
+
+/* Examples in the pages written by hand run too. */
+static void test_pages(void **state) {
+    (void)state;
+    static const char *const pages[] = {"sarcina-script.7", "sarcina-lammps.7"};
+    size_t wrong = 0, ran = 0;
+    for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {
+        char *path = alloc_format("%s/../../man/src/%s", SARCINA_TEST_DATA, pages[i]), *example, *prints;
+        FILE *f = fopen(path, "r");
+        assert_non_null(f);
+        while (next_example(f, &example, &prints)) {
+            bool right = runs(pages[i], example) && (!prints || strcmp(prints, host.printed) == 0);
+            if (!right && prints)
+                printf("%s:\n%sdue: %sseen: %s\n", pages[i], example, prints, host.printed);
+            wrong += !right;
+            ran++;
+            free(example);
+            free(prints);
+        }
+        fclose(f);
+        free(path);
+    }
+    printf("%zu examples of pages, %zu wrong\n", ran, wrong);
+    assert_int_equal(wrong, 0);
+    assert_true(ran >= 5);
+}
+
 /* Whether a word stands in a text, between blanks, quotes or line ends. */
 static bool has_word(const char *text, const char *word) {
     size_t n = strlen(word);
@@ -135,6 +182,53 @@ static bool has_word(const char *text, const char *word) {
         if ((at == text || strchr(" \n\"'", at[-1])) && strchr(" \n\"'", at[n]))
             return true;
     return false;
+}
+
+/* Commands that both have, by their names there. */
+static const char *const shared[] = {
+    "clear",      "dump",          "dump_modify",   "echo",     "group",        "if",
+    "include",    "info",          "log",           "neighbor", "print",        "quit",
+    "read_data",  "read_restart",  "region",        "restart",  "run",          "set",
+    "shell",      "thermo",        "thermo_modify", "undump",   "thermo_style", "write_data",
+    "write_dump", "write_restart", "units",         "variable", "dimension",
+};
+
+static bool is_command(const char *name) {
+    const signature *first;
+    return signature_forms(host.commands, name, &first, 1) > 0 || control_find(name);
+}
+
+/* The page for users of LAMMPS: what it calls a command of both is one here, none is left out, and what is answered as
+ * LAMMPS's is none here. */
+static void test_lammps(void **state) {
+    (void)state;
+    char *path = alloc_format("%s/../../man/src/sarcina-lammps.7", SARCINA_TEST_DATA), line[512], *save;
+    char *listed = alloc_copy(" ");
+    FILE *f = fopen(path, "r");
+    bool both = false;
+    assert_non_null(f);
+    while (fgets(line, sizeof line, f)) {
+        if (strncmp(line, ".Sh ", 4) == 0)
+            both = strcmp(line, ".Sh COMMANDS OF BOTH\n") == 0;
+        if (!both || strncmp(line, ".It Ic ", 7) != 0)
+            continue;
+        for (char *w = strtok_r(line + 7, " ,\n", &save); w; w = strtok_r(NULL, " ,\n", &save)) {
+            if (!is_command(w))
+                fail_msg("%s is no command here", w);
+            script_host_append(&listed, w);
+            script_host_append(&listed, " ");
+        }
+    }
+    fclose(f);
+    for (size_t i = 0; i < sizeof shared / sizeof *shared; i++)
+        if (is_command(shared[i]) && !has_word(listed, shared[i]))
+            fail_msg("%s is not in the list of commands of both", shared[i]);
+    foreign_word w;
+    for (size_t i = 0; foreign_list(i, &w); i++)
+        if (is_command(w.name))
+            fail_msg("%s is a command here and cannot be answered as LAMMPS's", w.name);
+    free(listed);
+    free(path);
 }
 
 /* The example of a form names the words of its head and each of its keywords. */
@@ -161,6 +255,7 @@ static void test_named(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_examples), cmocka_unit_test(test_named),
-                                       cmocka_unit_test(test_topics)};
+                                       cmocka_unit_test(test_topics), cmocka_unit_test(test_pages),
+                                       cmocka_unit_test(test_lammps)};
     return cmocka_run_group_tests_name("records", tests, open_host, close_host);
 }
