@@ -147,7 +147,8 @@ static inline uint32_t packing_coil(packing *p, const double centre[3], double s
     enum { MOST = 64 };
     const species *s = &p->species.list[PACKING_FLEXIBLE];
     double x[3 * MOST];
-    chain_coil_places(&s->coil, segment, s->particles, x);
+    for (size_t i = 0; i < s->particles; i++)
+        vec3_store(x + 3 * i, chain_coil_place(&s->coil, ((double)i - 0.5 * (s->particles - 1)) * segment));
     for (size_t i = 0; i < 3 * (size_t)s->particles; i++)
         x[i] += centre[i % 3] + packing_draw(p, -noise, noise);
     return packing_chain(p, x, s->particles, segment, diameter);

@@ -46,13 +46,8 @@ COMPONENT_VALUE(ux, axis_of, 0)
 COMPONENT_VALUE(uy, axis_of, 1)
 COMPONENT_VALUE(uz, axis_of, 2)
 
-/* Of the centre, the mean of the end particles. */
 static void velocity_of(const view *v, uint32_t row, double a[3]) {
-    const colony *c = v->colony;
-    const double *first = c->particle.v + 3 * (size_t)c->cell.first[row];
-    const double *last = first + 3 * ((size_t)c->cell.nparticles[row] - 1);
-    for (int k = 0; k < 3; k++)
-        a[k] = 0.5 * (first[k] + last[k]);
+    colony_mean(v->colony, row, v->colony->particle.v, a);
 }
 COMPONENT_VALUE(vx, velocity_of, 0)
 COMPONENT_VALUE(vy, velocity_of, 1)

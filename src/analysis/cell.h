@@ -15,10 +15,10 @@
     CELL_VALUE(mass, "mass", "mass of the cell")                                                                       \
     CELL_VALUE(stage, "number", "mass over the mass at which it divides; 0 when it never divides")                     \
     CELL_VALUE(rate, "rate", "growth rate drawn last")                                                                 \
-    CELL_VALUE(x, "length", "x of the centre, the mean of its end particles")                                          \
+    CELL_VALUE(x, "length", "x of the centre, its centre of mass")                                                     \
     CELL_VALUE(y, "length", "y of the centre")                                                                         \
     CELL_VALUE(z, "length", "z of the centre")                                                                         \
-    CELL_VALUE(ux, "number", "x of the axis, a unit vector; 0 for a coccus")                                           \
+    CELL_VALUE(ux, "number", "x of the axis, a unit vector from end to end; 0 for a coccus")                           \
     CELL_VALUE(uy, "number", "y of the axis")                                                                          \
     CELL_VALUE(uz, "number", "z of the axis")                                                                          \
     CELL_VALUE(zmin, "length", "z of its lowest particle")                                                             \

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { INTERNAL, BEND, FILIAL, STICK, ANCHOR, SPRING, COLLISION, SUBSTRATUM, DLVO, GRAVITY, KINETIC, FIELDS };
+enum { INTERNAL, BEND, TWIST, FILIAL, STICK, ANCHOR, SPRING, COLLISION, SUBSTRATUM, DLVO, GRAVITY, KINETIC, FIELDS };
 
 static double spring_energy(const colony *c, uint32_t s) {
     double stretch = colony_spring_length(c, s) - c->spring.rest[s];
@@ -37,6 +37,8 @@ int mechanical_energy(const view *v, const bool *members, double *out, diag *d) 
     if (!v->mechanics)
         return SARCINA_OK;
     field[INTERNAL] = mechanics_energy(v->mechanics, FORCE_INTERNAL, c->particle.x);
+    field[BEND] = mechanics_energy(v->mechanics, FORCE_BEND, c->particle.x);
+    field[TWIST] = mechanics_energy(v->mechanics, FORCE_TWIST, c->particle.x);
     field[COLLISION] = mechanics_energy(v->mechanics, FORCE_COLLISION, c->particle.x);
     field[SUBSTRATUM] = mechanics_energy(v->mechanics, FORCE_SUBSTRATUM, c->particle.x);
     field[DLVO] = mechanics_energy(v->mechanics, FORCE_DLVO, c->particle.x);

@@ -8,7 +8,8 @@
 /* Fields in the order of MECHANICAL_ENERGY_FIELDS; their sum is the bare value. Defined for the whole colony only: an
  * error with members. 1e-27 J. */
 #define MECHANICAL_ENERGY_FIELDS                                                                                       \
-    "internal:energy,bend:energy,filial:energy,stick:energy,anchor:energy,spring:energy,collision:energy,"             \
+    "internal:energy,bend:energy,twist:energy,filial:energy,stick:energy,anchor:energy,spring:energy,collision:"       \
+    "energy,"                                                                                                          \
     "substratum:energy,dlvo:energy,gravity:energy,kinetic:energy"
 int mechanical_energy(const view *v, const bool *members, double *out, diag *d);
 

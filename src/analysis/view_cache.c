@@ -85,13 +85,13 @@ static void note_spring(view_cache *cache, uint32_t row, double length, double r
         cache->strain[row] = larger(cache->strain[row], (length - rest) / rest);
 }
 
-/* The rod's own spring: the distance of its particles against the rest length that its mass gives. */
-static void note_internal(view_cache *cache, const colony *c, uint32_t row) {
+/* A cell's own springs: the distances of its particles against the rest length that its mass gives. */
+static void note_internal(view_cache *cache, const colony *c, const species_table *t, uint32_t row) {
     cache->stretch[row] = cache->strain[row] = NAN;
     if (c->cell.nparticles[row] < 2)
         return;
     const double *a = c->particle.x + 3 * (size_t)c->cell.first[row];
-    double rest = c->cell.rest[row] / (c->cell.nparticles[row] - 1);
+    double rest = species_segment(&t->list[c->cell.species[row]], c->cell.rest[row]);
     for (uint32_t p = 0; p + 1 < c->cell.nparticles[row]; p++, a += 3)
         note_spring(cache, row, vec3_norm(vec3_sub(vec3_load(a + 3), vec3_load(a))), rest);
 }
@@ -108,10 +108,10 @@ static void note_link(view_cache *cache, const colony *c, uint32_t link, uint32_
     }
 }
 
-static void compute_links(view_cache *cache, colony *c) {
+static void compute_links(view_cache *cache, colony *c, const species_table *t) {
     for (uint32_t row = 0; row < c->cell.count; row++) {
         cache->filial[row] = cache->stuck[row] = cache->anchored[row] = 0;
-        note_internal(cache, c, row);
+        note_internal(cache, c, t, row);
     }
     for (uint32_t link = 0; link < c->link.count; link++) {
         note_link(cache, c, link, colony_row(c, c->link.cell_a[link]));
@@ -128,7 +128,7 @@ view_links view_cache_links(const view *v) {
     view_cache *cache = v->cache;
     reserve(cache, v->colony->cell.count);
     if (!cache->has_links)
-        compute_links(cache, v->colony);
+        compute_links(cache, v->colony, v->species);
     cache->has_links = true;
     return (view_links){cache->filial, cache->stuck, cache->anchored, cache->stretch, cache->strain, cache->root};
 }

@@ -36,4 +36,11 @@ static inline quaternion quaternion_between(vec3 a, vec3 b) {
     return quaternion_normalise((quaternion){vec3_cross(a, b), 1 + vec3_dot(a, b)});
 }
 
+/* A rotation that takes x to the unit vector u: the shortest, or about z where they are opposite. */
+static inline quaternion quaternion_from_x(vec3 u) {
+    if (u.x < -0.999999)
+        return (quaternion){{0, 0, 1}, 0};
+    return quaternion_between(vec3_of(1, 0, 0), u);
+}
+
 #endif

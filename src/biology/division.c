@@ -58,18 +58,31 @@ double division_branch(const species *s) {
     return branches ? s->division.values[DIVISION_BRANCH].a : 0;
 }
 
+/* Do the particles of a cell about to divide still show its coil, with more than two of them a turn? */
+static int check_coil(const species *s, double mass, diag *d) {
+    double rest = species_rest(s, mass, spread_mean(&s->diameter), 0), turn = chain_coil_turn(&s->coil);
+    double turns = rest / turn;
+    if (s->particles - 1 > 2 * turns)
+        return SARCINA_OK;
+    diag_error(d, "species %s would divide with %.3g turns of its coil, which %u particles do not show", s->name, turns,
+               s->particles);
+    return diag_help(d, "it takes more than %.0f particles, a longer pitch or a smaller mass", 2 * turns + 1);
+}
+
 int division_check(const species *s, diag *d) {
     if (s->division.style < 0)
         return SARCINA_OK;
     const division_style *rule = division_styles[s->division.style];
     if (!(rule->shapes >> s->shape & 1)) {
-        diag_error(d, "division %s is for %s; species %s is a %s", rule->name,
-                   rule->shapes == DIVISION_COCCI ? "cocci" : "rods", s->name,
-                   s->shape == SHAPE_ROD ? "rod" : "coccus");
-        return diag_help(d, s->shape == SHAPE_ROD ? "a rod divides by 'midpoint'"
-                                                  : "a coccus divides by 'random' or 'planes N'");
+        diag_error(d, "division %s is for %s; species %s is %s", rule->name,
+                   rule->shapes == DIVISION_COCCI ? "cocci" : "rods and flexible cells", s->name,
+                   species_shape_name(s->shape));
+        return diag_help(d, s->shape == SHAPE_COCCUS ? "a coccus divides by 'random' or 'planes N'"
+                                                     : "a rod or a flexible cell divides by 'midpoint'");
     }
     double mass = division_mean_mass(s);
+    if (s->shape == SHAPE_FLEXIBLE && check_coil(s, mass, d))
+        return SARCINA_ERROR;
     double rest = species_rest(s, mass / 2, spread_mean(&s->diameter), spread_mean(&s->aspect));
     if (rest >= 0)
         return SARCINA_OK;

@@ -36,7 +36,7 @@ typedef struct division_style {
 extern const division_style *const division_styles[];
 extern const size_t division_style_count;
 
-enum { DIVISION_COCCI = 1 << SHAPE_COCCUS, DIVISION_RODS = 1 << SHAPE_ROD };
+enum { DIVISION_COCCI = 1 << SHAPE_COCCUS, DIVISION_RODS = 1 << SHAPE_ROD, DIVISION_FLEXIBLE = 1 << SHAPE_FLEXIBLE };
 
 /* Columns of style_choice.values: four that every rule has, then its own. */
 enum { DIVISION_MASS, DIVISION_SIZE, DIVISION_JITTER, DIVISION_AXIS, DIVISION_OWN };

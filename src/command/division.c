@@ -30,7 +30,7 @@ static int run_division(interp *in, const args *a, diag *d) {
     /* mass or size: the one named last counts */
     if (args_given(a, "mass"))
         rule->values[DIVISION_SIZE] = spread_fixed(NAN);
-    else if (args_given(a, s->species.list[row].shape == SHAPE_ROD ? "length" : "diameter"))
+    else if (args_given(a, s->species.list[row].shape == SHAPE_COCCUS ? "diameter" : "length"))
         rule->values[DIVISION_MASS] = spread_fixed(NAN);
     int status = division_check(&changed, d);
     if (status)

@@ -20,12 +20,14 @@ static size_t cells_of(const scene *s, size_t row) {
     return n;
 }
 
+static const char *const shape_names[] = {
+    [SHAPE_COCCUS] = "coccus", [SHAPE_ROD] = "rod", [SHAPE_FLEXIBLE] = "flexible"};
+
 static void show_species(interp *in, const scene *s, info_put put) {
     for (size_t i = 0; i < s->species.count; i++) {
         const species *sp = &s->species.list[i];
-        put(in, "species     %s: %s, %zu cells, growth %s, division %s", sp->name,
-            sp->shape == SHAPE_ROD ? "rod" : "coccus", cells_of(s, i),
-            sp->growth.style < 0 ? "off" : growth_styles[sp->growth.style].name,
+        put(in, "species     %s: %s, %zu cells, growth %s, division %s", sp->name, shape_names[sp->shape],
+            cells_of(s, i), sp->growth.style < 0 ? "off" : growth_styles[sp->growth.style].name,
             sp->division.style < 0 ? "off" : division_styles[sp->division.style]->name);
     }
 }

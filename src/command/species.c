@@ -41,23 +41,54 @@ static bool stands(interp *in, const args *a) {
     return row >= 0 && (int)s->species.list[row].shape == args_style(a);
 }
 
+static void amend_flexible(species *sp, const args *a, bool is_new) {
+    sp->aspect = spread_fixed(0);
+    if (args_given(a, "particles"))
+        sp->particles = (uint32_t)args_int(a, "particles");
+    if (is_new || args_given(a, "coil"))
+        sp->coil.radius = args_number(a, "coil");
+    if (args_given(a, "pitch"))
+        sp->coil.pitch = args_number(a, "pitch");
+    if (is_new || args_given(a, "hand"))
+        sp->coil.left = args_choice(a, "hand") == 1;
+}
+
+/* A coil has a pitch, and a cell as many particles as before. */
+static int check_flexible(const scene *s, int row, const species *sp, diag *d) {
+    if (sp->shape != SHAPE_FLEXIBLE)
+        return SARCINA_OK;
+    if (sp->coil.radius > 0 && !(sp->coil.pitch > 0)) {
+        diag_error(d, "species %s has a coil without a pitch", sp->name);
+        return diag_help(d, "write 'pitch LENGTH', the height of one turn");
+    }
+    if (row >= 0 && s->species.list[row].particles != sp->particles && has_cells(s, row)) {
+        diag_error(d, "species %s has cells: their number of particles cannot change", sp->name);
+        return diag_help(d, "delete them before, or give the new shape another name");
+    }
+    return SARCINA_OK;
+}
+
 static void amend(species *sp, const args *a, bool is_new) {
     sp->shape = (shape_kind)args_style(a);
     if (is_new || args_given(a, "density"))
         sp->density = args_number(a, "density");
     if (args_given(a, "color"))
         snprintf(sp->color, sizeof sp->color, "%s", args_text(a, "color"));
+    if (sp->shape != SHAPE_FLEXIBLE)
+        sp->coil = (chain_coil){0};
     if (sp->shape == SHAPE_COCCUS) {
         sp->diameter = sp->aspect = spread_fixed(0);
-        sp->internal_k = 0;
+        sp->internal_k = sp->bend_k = sp->twist_k = 0;
         return;
     }
+    if (sp->shape == SHAPE_FLEXIBLE)
+        amend_flexible(sp, a, is_new);
     /* one of the two is kept */
     if (args_given(a, "diameter")) {
         sp->diameter = args_spread(a, "diameter");
         sp->aspect = spread_fixed(0);
     }
-    if (args_given(a, "aspect")) {
+    if (sp->shape == SHAPE_ROD && args_given(a, "aspect")) {
         sp->aspect = args_spread(a, "aspect");
         sp->diameter = spread_fixed(0);
     }
@@ -70,7 +101,9 @@ static int run_species(interp *in, const args *a, diag *d) {
     if (row < 0) {
         row = species_add(&s->species, name);
         amend(&s->species.list[row], a, true);
-        return SARCINA_OK;
+        int status = check_flexible(s, -1, &s->species.list[row], d);
+        s->species.count -= status != SARCINA_OK;
+        return status;
     }
     species changed = s->species.list[row];
     bool same_shape = (int)changed.shape == args_style(a);
@@ -78,10 +111,12 @@ static int run_species(interp *in, const args *a, diag *d) {
         diag_error(d, "species %s has cells: its shape cannot change", name);
         return diag_help(d, "delete them before, or give the new shape another name");
     }
-    amend(&changed, a, false);
+    amend(&changed, a, !same_shape);
     if (!same_shape)
         changed.division.style = -1; /* a rule for another shape */
-    int status = division_check(&changed, d);
+    int status = check_flexible(s, row, &changed, d);
+    if (!status)
+        status = division_check(&changed, d);
     if (status)
         return status;
     s->species.list[row] = changed;
@@ -100,6 +135,16 @@ static const param rod_params[] = {
     {"color=auto:color", "in pictures; auto: by order"},
 };
 
+static const param flexible_params[] = {
+    {"diameter:length~!(0,)", "of every cell, constant for life; with sd each cell draws its own"},
+    {"particles:int![3,10000]", "of each cell, whatever its length: segments grow with it"},
+    {"coil=0:length[0,)", "radius of the helix that its particles form at rest; 0: it is straight"},
+    {"pitch:length(0,)", "height of one turn of the helix; needed with coil"},
+    {"hand=right:{right|left}", "of the helix"},
+    {"density=1010kg/m3:density(0,)", "mass per volume of a cell"},
+    {"color=auto:color", "in pictures; auto: by order"},
+};
+
 void command_species(command_table *t) {
     command_add_class(t, &species_class);
     const command_form common = {
@@ -108,7 +153,7 @@ void command_species(command_table *t) {
         .flags = COMMAND_DECLARES,
         .run = run_species,
         .exists = stands};
-    command_form coccus = common, rod = common;
+    command_form coccus = common, rod = common, flexible = common;
     coccus.example = "species cc coccus density 1010kg/m3 color orange";
     rod.example = "species long rod diameter 0.75um sd 5% density 1010kg/m3 color blue\nspecies slim rod aspect 4";
     command_add_style(t, &coccus, "species NAME:+species coccus",
@@ -116,4 +161,12 @@ void command_species(command_table *t) {
                       TABLE_COUNT(coccus_params), SHAPE_COCCUS);
     command_add_style(t, &rod, "species NAME:+species rod", "A species of rods: two particles and a spring", rod_params,
                       TABLE_COUNT(rod_params), SHAPE_ROD);
+    flexible.details =
+        "A chain of particles joined by springs (link internal), straight or coiled at rest; link bend and link twist "
+        "hold it in shape. The length along it follows from the mass as that of a rod; radius and pitch of a coil stay "
+        "as the cell grows. Half of a segment's mass is at each of its ends.";
+    flexible.example = "species spiro flexible diameter 0.2um particles 32 coil 0.15um pitch 0.6um hand left density "
+                       "1010kg/m3 color purple\nspecies bent flexible diameter 0.5um particles 5";
+    command_add_style(t, &flexible, "species NAME:+species flexible", "A species of bent, coiled or pliant cells",
+                      flexible_params, TABLE_COUNT(flexible_params), SHAPE_FLEXIBLE);
 }

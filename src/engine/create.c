@@ -4,6 +4,7 @@
 #include "engine/spots.h"
 
 #include "base/alloc.h"
+#include "base/quaternion.h"
 #include "base/vec3.h"
 #include "biology/division.h"
 #include "model/axis.h"
@@ -69,28 +70,45 @@ static double draw_mass(const placement *p, gsl_rng *stream) {
 static uint32_t add_cell(scene *s, int species_row, double mass, double diameter) {
     const species *sp = &s->species.list[species_row];
     colony *c = s->colony;
-    double origin[6] = {0};
+    double *origin = alloc_zeroed(3 * species_particles(sp), sizeof *origin);
     uint32_t row = colony_add_cell(c, species_particles(sp), origin);
+    free(origin);
     c->cell.species[row] = species_row;
     c->cell.founder[row] = c->cell.id[row];
     c->cell.birth[row] = s->time;
     c->cell.mass[row] = mass;
     division_draw_size(sp, c, row, s->rng);
-    if (diameter > 0 && sp->shape == SHAPE_ROD)
+    if (diameter > 0 && sp->shape != SHAPE_COCCUS)
         c->cell.diameter[row] = diameter;
     species_shape_cell(sp, c, row);
     c->cell.limit[row] = division_limit(sp, s->rng, c->cell.id[row], c->cell.diameter[row], c->cell.aspect[row]);
     return row;
 }
 
-/* Puts the cell's particles on a line through its centre. */
-static void put_cell(colony *c, uint32_t row, vec3 centre, vec3 axis) {
+static const chain_coil *coil_of(const scene *s, uint32_t row) {
+    return &s->species.list[s->colony->cell.species[row]].coil;
+}
+
+/* Puts the cell's particles on a line, or the coil of its species, along the axis and about its centre. */
+static void put_cell(scene *s, uint32_t row, vec3 centre, vec3 axis) {
+    colony *c = s->colony;
+    const chain_coil *coil = coil_of(s, row);
+    quaternion turn = quaternion_from_x(axis);
     uint32_t n = c->cell.nparticles[row];
     double *x = c->particle.x + 3 * (size_t)c->cell.first[row];
     for (uint32_t i = 0; i < n; i++) {
         double at = n > 1 ? c->cell.rest[row] * ((double)i / (n - 1) - 0.5) : 0;
-        vec3_store(x + 3 * (size_t)i, vec3_axpy(centre, at, axis));
+        vec3 place = coil->radius > 0 ? vec3_add(centre, quaternion_rotate(turn, chain_coil_place(coil, at)))
+                                      : vec3_axpy(centre, at, axis);
+        vec3_store(x + 3 * (size_t)i, place);
     }
+}
+
+/* How long the cell is along its axis, between its end particles. */
+static double extent_of(const scene *s, uint32_t row) {
+    double rest = s->colony->cell.rest[row];
+    const chain_coil *coil = coil_of(s, row);
+    return coil->radius > 0 ? rest * coil->pitch / chain_coil_turn(coil) : rest;
 }
 
 /* What is created as one: a cell, or a filament of them; rows first ... first + n - 1. */
@@ -139,19 +157,18 @@ static void lift_group(const scene *s, new_group g, bool flat, double gap) {
 
 /* Puts the group's cells in a row around a centre; then `gap` above the substratum, where that is asked for. */
 static void put_group(scene *s, new_group g, const double centre[3], vec3 axis, double gap) {
-    colony *c = s->colony;
     double length = 0, at = 0;
     for (uint32_t row = g.first; row < g.first + g.n; row++)
-        length += c->cell.rest[row] + (row + 1 < g.first + g.n ? joint_length(s, row) : 0);
+        length += extent_of(s, row) + (row + 1 < g.first + g.n ? joint_length(s, row) : 0);
     for (uint32_t row = g.first; row < g.first + g.n; row++) {
         vec3 place = vec3_load(centre);
         if (g.n > 1)
-            place = vec3_axpy(place, at + 0.5 * c->cell.rest[row] - 0.5 * length, axis);
-        put_cell(c, row, place, axis);
-        at += c->cell.rest[row] + (row + 1 < g.first + g.n ? joint_length(s, row) : 0);
+            place = vec3_axpy(place, at + 0.5 * extent_of(s, row) - 0.5 * length, axis);
+        put_cell(s, row, place, axis);
+        at += extent_of(s, row) + (row + 1 < g.first + g.n ? joint_length(s, row) : 0);
     }
     if (!isnan(gap))
-        lift_group(s, g, axis.z == 0, gap);
+        lift_group(s, g, axis.z == 0 && !(coil_of(s, g.first)->radius > 0), gap);
 }
 
 static void link_group(scene *s, new_group g) {

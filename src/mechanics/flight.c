@@ -21,7 +21,7 @@
 enum { BAND = 12, ITERATIONS = 30, HALVINGS = 12 };
 
 /* An iteration that moves no particle by more than this many radii is the last. */
-static const double tolerance = 1e-6;
+static const double tolerance = 1e-4;
 
 /* One chain on its way through a step. */
 typedef struct flight {
@@ -139,8 +139,21 @@ static double descend(flight *w, double before) {
     return after;
 }
 
-static void minimise(flight *w, double *forces) {
-    double now = value(w);
+/* From where the cell is or from where it would fly freely, whichever is better: one is near the end where it is held,
+ * the other where it moves. */
+static double begin(flight *w, const double *here) {
+    memcpy(w->x, here, w->n * sizeof *w->x);
+    double held = value(w);
+    memcpy(w->x, w->aim, w->n * sizeof *w->x);
+    double free_flight = value(w);
+    if (free_flight <= held)
+        return free_flight;
+    memcpy(w->x, here, w->n * sizeof *w->x);
+    return held;
+}
+
+static void minimise(flight *w, const double *here, double *forces) {
+    double now = begin(w, here);
     for (int i = 0; i < ITERATIONS; i++) {
         find_gradient(w, forces);
         find_matrix(w);
@@ -181,9 +194,8 @@ static void fly(mechanics *m, const chain *c, double h, double *trial, double *f
         double mass = m->mass[c->first + i / 3], slowed = 1 + drag * h / mass;
         part[i] = x[first + i] + h * v[first + i] / slowed;
         part[n + i] = mass * slowed / (h * h);
-        w.x[i] = part[i];
     }
-    minimise(&w, forces);
+    minimise(&w, x + first, forces);
     for (size_t i = 0; i < n; i++) {
         v[first + i] = (w.x[i] - x[first + i]) / h;
         x[first + i] = w.x[i];

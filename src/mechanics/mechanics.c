@@ -156,7 +156,7 @@ static void bind_cell(mechanics *m, uint32_t row, uint32_t rank) {
                                                             : 2,
                                      .chained = n > 2,
                                      .radius = 0.5 * c->cell.diameter[row],
-                                     .rest = c->cell.rest[row] / count,
+                                     .rest = n > 2 ? species_segment(s, c->cell.rest[row]) : c->cell.rest[row],
                                      .internal_k = s->internal_k,
                                      .density = s->density};
 }
@@ -172,7 +172,7 @@ static void bind_chain(mechanics *m, uint32_t row) {
                   .first = c->cell.first[row],
                   .count = c->cell.nparticles[row],
                   .radius = 0.5 * c->cell.diameter[row],
-                  .rest = c->cell.rest[row] / (c->cell.nparticles[row] - 1),
+                  .rest = species_segment(s, c->cell.rest[row]),
                   .internal_k = s->internal_k,
                   .bend_k = s->bend_k,
                   .twist_k = s->twist_k};

@@ -3,41 +3,27 @@
 
 #include <sleef.h>
 
-static double square_of_step(const chain_coil *coil, double a) {
-    double across = 2 * coil->radius * Sleef_cinz_sind1_u10purec(0.5 * a), along = coil->pitch * a / (2 * M_PI);
-    return across * across + along * along;
+double chain_coil_turn(const chain_coil *coil) {
+    double round = 2 * M_PI * coil->radius;
+    return coil->radius > 0 ? sqrt(round * round + coil->pitch * coil->pitch) : (double)INFINITY;
 }
 
-double chain_coil_longest(const chain_coil *coil) {
-    return coil->radius > 0 ? sqrt(square_of_step(coil, M_PI)) : (double)INFINITY;
+double chain_coil_step(const chain_coil *coil, double arc) {
+    return 2 * M_PI * arc / chain_coil_turn(coil);
 }
 
-/* The step grows with the angle up to pi: bisection finds it to the last bit, the same one everywhere. */
-double chain_coil_step(const chain_coil *coil, double segment) {
+vec3 chain_coil_place(const chain_coil *coil, double arc) {
     if (!(coil->radius > 0))
-        return 0;
-    double low = 0, high = M_PI, square = segment * segment;
-    if (square_of_step(coil, high) <= square)
-        return M_PI;
-    for (int i = 0; i < 60; i++) {
-        double middle = 0.5 * (low + high);
-        if (square_of_step(coil, middle) < square)
-            low = middle;
-        else
-            high = middle;
-    }
-    return 0.5 * (low + high);
+        return vec3_of(arc, 0, 0);
+    double a = chain_coil_step(coil, arc), side = coil->left ? -1 : 1;
+    return vec3_of(coil->pitch * a / (2 * M_PI), coil->radius * Sleef_cinz_cosd1_u10purec(a),
+                   side * coil->radius * Sleef_cinz_sind1_u10purec(a));
 }
 
-void chain_coil_places(const chain_coil *coil, double segment, size_t n, double *x) {
-    double a = chain_coil_step(coil, segment), side = coil->left ? -1 : 1;
-    double along = coil->radius > 0 ? coil->pitch * a / (2 * M_PI) : segment;
-    for (size_t i = 0; i < n; i++) {
-        double place = (double)i - 0.5 * (double)(n - 1);
-        x[3 * i] = along * place;
-        x[3 * i + 1] = coil->radius * Sleef_cinz_cosd1_u10purec(a * place);
-        x[3 * i + 2] = side * coil->radius * Sleef_cinz_sind1_u10purec(a * place);
-    }
+double chain_coil_chord(const chain_coil *coil, double arc) {
+    if (!(coil->radius > 0))
+        return arc;
+    return vec3_norm(vec3_sub(chain_coil_place(coil, arc), chain_coil_place(coil, 0)));
 }
 
 double chain_turn(vec3 a, vec3 b) {
@@ -51,41 +37,61 @@ void chain_torsion(vec3 a, vec3 b, vec3 c, double *cos_phi, double *sin_phi) {
     *sin_phi = length > 0 ? y / length : 0;
 }
 
-void chain_coil_angles(const chain_coil *coil, double segment, double *theta, double *cos_phi, double *sin_phi) {
-    double x[12];
+void chain_coil_angles(const chain_coil *coil, double arc, double *theta, double *cos_phi, double *sin_phi) {
     *theta = *sin_phi = 0;
     *cos_phi = 1;
-    if (!(coil->radius > 0) || !(segment > 0))
+    if (!(coil->radius > 0) || !(arc > 0))
         return;
-    chain_coil_places(coil, segment, 4, x);
-    vec3 a = vec3_sub(vec3_load(x + 3), vec3_load(x)), b = vec3_sub(vec3_load(x + 6), vec3_load(x + 3)),
-         c = vec3_sub(vec3_load(x + 9), vec3_load(x + 6));
-    *theta = chain_turn(a, b);
-    chain_torsion(a, b, c, cos_phi, sin_phi);
+    vec3 segment[3];
+    for (int i = 0; i < 3; i++)
+        segment[i] = vec3_sub(chain_coil_place(coil, (i + 1) * arc), chain_coil_place(coil, i * arc));
+    *theta = chain_turn(segment[0], segment[1]);
+    chain_torsion(segment[0], segment[1], segment[2], cos_phi, sin_phi);
 }
 
-static vec3 segment_of(const double *x, size_t i) {
-    return vec3_sub(vec3_load(x + 3 * (i + 1)), vec3_load(x + 3 * i));
-}
-
-double chain_length(const double *x, size_t n) {
-    double sum = 0;
-    for (size_t i = 0; i + 1 < n; i++)
-        sum += vec3_norm(segment_of(x, i));
-    return sum;
-}
-
-vec3 chain_point(const double *x, size_t n, double s, vec3 *direction) {
-    size_t i = 0;
-    vec3 d = segment_of(x, 0);
+/* Unit vector along d; 0 0 0 without length. */
+static vec3 unit(vec3 d) {
     double length = vec3_norm(d);
-    while (s > length && i + 2 < n) {
-        s -= length;
-        d = segment_of(x, ++i);
-        length = vec3_norm(d);
-    }
-    d = length > 0 ? vec3_scale(1 / length, d) : vec3_of(0, 0, 0);
-    if (direction)
-        *direction = d;
-    return vec3_axpy(vec3_load(x + 3 * i), s, d);
+    return length > 0 ? vec3_scale(1 / length, d) : vec3_of(0, 0, 0);
+}
+
+/* Three unit vectors at right angles: along a segment, towards where its neighbours (0 0 0: there is none) bend, and
+ * across. */
+static void frame_of(vec3 before, vec3 d, vec3 after, vec3 frame[3]) {
+    frame[0] = unit(d);
+    vec3 bend = {0, 0, 0};
+    if (vec3_norm(before) > 0)
+        bend = vec3_add(bend, vec3_sub(frame[0], unit(before)));
+    if (vec3_norm(after) > 0)
+        bend = vec3_add(bend, vec3_sub(unit(after), frame[0]));
+    bend = vec3_axpy(bend, -vec3_dot(bend, frame[0]), frame[0]);
+    if (!(vec3_norm(bend) > 1e-9)) /* straight: any direction across */
+        bend = vec3_cross(frame[0], fabs(frame[0].x) < 0.5 ? vec3_of(1, 0, 0) : vec3_of(0, 1, 0));
+    frame[1] = unit(bend);
+    frame[2] = vec3_cross(frame[0], frame[1]);
+}
+
+vec3 chain_point(const chain_coil *coil, double arc, const double *x, size_t n, double u) {
+    size_t i = u > 0 ? (size_t)u : 0;
+    i = i < n - 2 ? i : n - 2;
+    double t = u - (double)i;
+    const double *p = x + 3 * i;
+    const vec3 none = {0, 0, 0}, here = vec3_load(p), d = vec3_sub(vec3_load(p + 3), here);
+    vec3 point = vec3_axpy(here, t, d);
+    if (!(coil->radius > 0))
+        return point;
+    vec3 before = i > 0 ? vec3_sub(here, vec3_load(p - 3)) : none;
+    vec3 after = i + 2 < n ? vec3_sub(vec3_load(p + 6), vec3_load(p + 3)) : none;
+    vec3 frame[3], ideal[3], places[4];
+    for (int k = 0; k < 4; k++)
+        places[k] = chain_coil_place(coil, (k - 1) * arc);
+    vec3 chord = vec3_sub(places[2], places[1]);
+    frame_of(before, d, after, frame);
+    frame_of(i > 0 ? vec3_sub(places[1], places[0]) : none, chord, i + 2 < n ? vec3_sub(places[3], places[2]) : none,
+             ideal);
+    /* how far the helix is off its chord, in the ideal frame and from there in the cell's own */
+    vec3 off = vec3_sub(chain_coil_place(coil, t * arc), vec3_axpy(places[1], t, chord));
+    for (int k = 0; k < 3; k++)
+        point = vec3_axpy(point, vec3_dot(off, ideal[k]), frame[k]);
+    return point;
 }

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The geometry of flexible cells: chains of n particles whose n - 1 segments have one length. Where a chain is coiled,
- * its particles at rest stand evenly on a helix of radius R and pitch P (R = 0: on a line), and what three and four
- * consecutive ones span is all that bending and twisting need to know:
- *   theta  turning angle at a particle, between the segments that meet there, 0 straight ... pi folded back
- *   phi    torsion of four, the angle by which the plane of the last three is turned about the middle segment from that
- *          of the first three: 0 for an arc (cis), positive for a right-handed helix
- * Units: um. */
+/* The geometry of flexible cells: chains of n particles, evenly spaced along a curve whose length is the cell's rest
+ * length. At rest the curve is a line, or a helix of radius R and pitch P. A segment is the chord between neighbours,
+ * and what three and four consecutive particles span is all that bending and twisting need to know: theta  turning
+ * angle at a particle, between the segments that meet there, 0 straight ... pi folded back phi    torsion of four, the
+ * angle by which the plane of the last three is turned about the middle segment from that of the first three: 0 for an
+ * arc (cis), positive for a right-handed helix Units: um. */
 #ifndef SARCINA_MODEL_CHAIN_H
 #define SARCINA_MODEL_CHAIN_H
 
@@ -19,18 +18,18 @@ typedef struct chain_coil {
     bool left;            /* its hand */
 } chain_coil;
 
-/* Angle about the helix's axis between neighbours that a segment's length apart, in [0, pi]: from
- * (2 R sin(a/2))^2 + (P a / 2 pi)^2 = length^2. pi where the segment is longer than such a step can be. */
-double chain_coil_step(const chain_coil *coil, double segment);
+/* Length of one turn along the helix; infinite for a line. */
+double chain_coil_turn(const chain_coil *coil);
 
-/* The longest segment with which the particles still show the coil: a step of half a turn. */
-double chain_coil_longest(const chain_coil *coil);
+/* Angle about the helix's axis between neighbours that are `arc` apart along the curve; and the chord between them. */
+double chain_coil_step(const chain_coil *coil, double arc);
+double chain_coil_chord(const chain_coil *coil, double arc);
 
-/* Places of n particles at rest (n x 3): the helix's axis, or the line, is x, its middle the origin. */
-void chain_coil_places(const chain_coil *coil, double segment, size_t n, double *x);
+/* The place at `arc` along the curve from its middle: the helix's axis, or the line, is x, its middle the origin. */
+vec3 chain_coil_place(const chain_coil *coil, double arc);
 
-/* Turning angle, and cosine and sine of the torsion, of that shape. */
-void chain_coil_angles(const chain_coil *coil, double segment, double *theta, double *cos_phi, double *sin_phi);
+/* Turning angle, and cosine and sine of the torsion, of particles that are `arc` apart. */
+void chain_coil_angles(const chain_coil *coil, double arc, double *theta, double *cos_phi, double *sin_phi);
 
 /* Turning angle between two segments, in [0, pi]; 0 where one has no length. */
 double chain_turn(vec3 a, vec3 b);
@@ -39,10 +38,9 @@ double chain_turn(vec3 a, vec3 b);
  * parallel. */
 void chain_torsion(vec3 a, vec3 b, vec3 c, double *cos_phi, double *sin_phi);
 
-/* The length along the n particles at x (n x 3). */
-double chain_length(const double *x, size_t n);
-
-/* Point (and unit direction) at length s along them; beyond an end: on the end segment's line. */
-vec3 chain_point(const double *x, size_t n, double s, vec3 *direction);
+/* The point of the curve through n particles at x (n x 3) that is u segments from the first, u in [0, n - 1]: each
+ * segment carries the arc of the rest shape, turned about it to where its neighbours bend; `arc` is its rest length
+ * along the curve. Particles of a cell at rest lie on its helix, however few they are. */
+vec3 chain_point(const chain_coil *coil, double arc, const double *x, size_t n, double u);
 
 #endif

@@ -358,10 +358,22 @@ int colony_walk(colony *c, colony_visit *visit, void *self) {
 }
 
 void colony_centre(const colony *c, uint32_t row, double centre[3]) {
-    const double *a = c->particle.x + 3 * (size_t)c->cell.first[row];
-    const double *b = a + 3 * ((size_t)c->cell.nparticles[row] - 1);
-    for (int i = 0; i < 3; i++)
-        centre[i] = 0.5 * (a[i] + b[i]);
+    colony_mean(c, row, c->particle.x, centre);
+}
+
+void colony_mean(const colony *c, uint32_t row, const double *values, double mean[3]) {
+    size_t n = c->cell.nparticles[row];
+    const double *a = values + 3 * (size_t)c->cell.first[row], *b = a + 3 * (n - 1);
+    for (size_t i = 0; i < 3; i++)
+        mean[i] = 0.5 * (a[i] + b[i]);
+    if (n < 3)
+        return;
+    /* half of a segment's mass is at each of its ends */
+    for (size_t p = 1; p + 1 < n; p++)
+        for (size_t i = 0; i < 3; i++)
+            mean[i] += a[3 * p + i];
+    for (size_t i = 0; i < 3; i++)
+        mean[i] /= (double)(n - 1);
 }
 
 void colony_axis(const colony *c, uint32_t row, double axis[3]) {

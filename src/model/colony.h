@@ -108,9 +108,12 @@ int colony_walk(colony *c, colony_visit *visit, void *self);
 /* Sets the number of rows of each table, for loading: new rows are zero. */
 void colony_resize(colony *c, size_t particles, size_t cells, size_t links, size_t springs);
 
-/* Centre of a cell: the mean of its end particles; and its axis, a unit vector from its first to its last particle,
- * 0 0 0 for a coccus or a rod of length zero. */
+/* Centre of a cell: its centre of mass; and its axis, a unit vector from its first to its last particle, 0 0 0 for a
+ * coccus or a rod of length zero. */
 void colony_centre(const colony *c, uint32_t row, double centre[3]);
+
+/* Mean of a particle column of width 3 over a cell, by mass: with x the centre, with v its velocity. */
+void colony_mean(const colony *c, uint32_t row, const double *values, double mean[3]);
 void colony_axis(const colony *c, uint32_t row, double axis[3]);
 
 /* Memory the state occupies, bytes. */

@@ -30,8 +30,13 @@ size_t species_particles(const species *s) {
 }
 
 const char *species_shape_name(shape_kind shape) {
-    static const char *const names[] = {[SHAPE_COCCUS] = "coccus", [SHAPE_ROD] = "rod", [SHAPE_FLEXIBLE] = "flexible"};
+    static const char *const names[] = {
+        [SHAPE_COCCUS] = "a coccus", [SHAPE_ROD] = "a rod", [SHAPE_FLEXIBLE] = "flexible"};
     return names[shape];
+}
+
+double species_segment(const species *s, double rest) {
+    return s->shape == SHAPE_FLEXIBLE ? chain_coil_chord(&s->coil, rest / (s->particles - 1)) : rest;
 }
 
 void species_rest_angles(const species *s, double rest, double *theta, double *cos_phi, double *sin_phi) {

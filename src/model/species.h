@@ -47,10 +47,14 @@ int species_add(species_table *t, const char *name);
 /* Diameter and rest length of a cell from its mass and what it keeps (its columns diameter or aspect). */
 void species_shape_cell(const species *s, colony *c, uint32_t row);
 
-/* Rest angles of a cell of the species whose rest length is `rest`: turning angle, cosine and sine of the torsion. */
+/* Rest length of each spring inside a cell of the species whose rest length is `rest`: of a coil's segment, the chord.
+ */
+double species_segment(const species *s, double rest);
+
+/* Rest angles of such a flexible cell: turning angle, cosine and sine of the torsion. */
 void species_rest_angles(const species *s, double rest, double *theta, double *cos_phi, double *sin_phi);
 
-/* What an error calls a cell of the shape: "coccus", "rod", "flexible". */
+/* What an error calls a cell of the shape: "a coccus", "a rod", "flexible". */
 const char *species_shape_name(shape_kind shape);
 
 /* Rest length a rod of this mass would have, with diameter d (fixed diameter) or aspect a (a > 0). */

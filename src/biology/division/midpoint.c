@@ -19,6 +19,10 @@ static vec3 direction(const division_context *x, uint32_t mother, uint32_t daugh
 
 static void place(const division_context *x, uint32_t mother, uint32_t daughter) {
     colony *c = x->colony;
+    if (c->cell.nparticles[mother] > 2) {
+        division_halve(x, mother, daughter);
+        return;
+    }
     const style_choice *rule = &x->species->list[c->cell.species[mother]].division;
     vec3 a = vec3_load(division_place(c, mother, 0)), b = vec3_load(division_place(c, mother, 1));
     vec3 d = direction(x, mother, daughter, a, b);
@@ -49,11 +53,11 @@ static const param params[] = {
 const division_style division_midpoint = {
     .name = "midpoint",
     .head = "midpoint",
-    .summary = "a rod divides in the middle",
+    .summary = "a rod or a flexible cell divides in the middle",
     .source = "Storck et al. 2014, growth and division",
     .example = "division ecoli midpoint mass 2.45e-15kg jitter 10nm axis auto branch 30%\n"
                "division ecoli midpoint length 5um sd 10%",
-    .shapes = DIVISION_RODS,
+    .shapes = DIVISION_RODS | DIVISION_FLEXIBLE,
     .params = params,
     .nparams = TABLE_COUNT(params),
     .place = place,

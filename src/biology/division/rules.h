@@ -32,4 +32,7 @@ void division_lift(const division_context *x, uint32_t cell, uint32_t i);
 /* Puts a coccus and its daughter half a diameter to both sides of the mother's place, along the unit vector u. */
 void division_part(const division_context *x, uint32_t mother, uint32_t daughter, vec3 u);
 
+/* Divides a flexible cell, of half her mass already, at half its length. */
+void division_halve(const division_context *x, uint32_t mother, uint32_t daughter);
+
 #endif
