@@ -3,11 +3,13 @@
 
 #include "base/alloc.h"
 #include "base/number.h"
+#include "base/path.h"
 #include "base/table.h"
 #include "base/units.h"
 #include "model/shape.h"
 
 #include <errno.h>
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,16 +32,33 @@ static const known_column known[] = {
     {"ux", "number", offsetof(cell_row, axis[0])},
     {"uy", "number", offsetof(cell_row, axis[1])},
     {"uz", "number", offsetof(cell_row, axis[2])},
+    {"aspect", "number", offsetof(cell_row, aspect)},
+    {"generation", "number", offsetof(cell_row, generation)},
+    {"age", "time", offsetof(cell_row, age)},
+    {"id", "id", offsetof(cell_row, id)},
+    {"parent", "id", offsetof(cell_row, parent)},
+    {"founder", "id", offsetof(cell_row, founder)},
 };
-enum { KNOWN = sizeof known / sizeof known[0], COLUMNS_MAX = 64 };
+static const char *const particle_names[] = {"x", "y", "z", "vx", "vy", "vz"};
+enum { KNOWN = sizeof known / sizeof known[0] };
+
+/* A column of the file: one of those, or a coordinate or velocity of a particle. */
+typedef struct column {
+    int known;         /* row of `known`; -1: not one of them */
+    uint32_t particle; /* from 1; 0: none */
+    int component;     /* of the particle: 0 ... 5 of x y z vx vy vz */
+    dim of;
+    double to_si;
+    bool is_engine; /* in the engine's own unit: the number stands as it is */
+} column;
 
 typedef struct reader {
     interp *in;
     const char *path;
     int line;
-    int columns[COLUMNS_MAX]; /* row of `known`; -1: not ours, passed over */
-    double to_si[COLUMNS_MAX];
-    size_t ncolumns;
+    column *columns;
+    size_t ncolumns, capacity;
+    uint32_t particles; /* of the longest cell the columns hold */
 } reader;
 
 /* The next cell of a CSV line, blanks at its ends taken off; NULL at the end. Quotes are not special. */
@@ -71,6 +90,21 @@ static int read_unit(reader *r, const char *text, dim wanted, double *to_si, dia
     return SARCINA_OK;
 }
 
+/* x1 ... vz3: a component of a particle. */
+static bool find_particle(const char *word, column *c) {
+    for (int k = 0; k < 6; k++) {
+        size_t n = strlen(particle_names[k]);
+        const char *digits = word + n;
+        if (strncmp(word, particle_names[k], n) != 0 || !*digits || digits[strspn(digits, "0123456789")])
+            continue;
+        c->component = k;
+        c->particle = (uint32_t)strtoul(digits, NULL, 10);
+        c->of = k < 3 ? DIM_LENGTH : DIM_VELOCITY;
+        return c->particle > 0 && c->particle <= 100000;
+    }
+    return false;
+}
+
 static int read_heading(reader *r, char *word, diag *d) {
     char *bracket = strchr(word, '['), *suffix = NULL;
     if (bracket) {
@@ -78,82 +112,141 @@ static int read_heading(reader *r, char *word, diag *d) {
         *bracket = '\0';
         suffix[strcspn(suffix, "]")] = '\0';
     }
-    ptrdiff_t k = table_find(known, KNOWN, sizeof known[0], word);
-    size_t i = r->ncolumns++;
-    r->columns[i] = (int)k;
-    r->to_si[i] = 1;
-    if (k < 0 || !known[k].dimension)
+    r->columns = alloc_grow(r->columns, &r->capacity, r->ncolumns + 1, sizeof *r->columns);
+    column *c = &r->columns[r->ncolumns++];
+    *c = (column){.known = (int)table_find(known, KNOWN, sizeof known[0], word), .to_si = 1};
+    if (c->known < 0 && !find_particle(word, c))
         return SARCINA_OK;
-    dim wanted;
-    dim_by_name(known[k].dimension, &wanted);
-    if (suffix)
-        return read_unit(r, suffix, wanted, &r->to_si[i], d);
-    r->to_si[i] = interp_unit(r->in, wanted);
-    return SARCINA_OK;
-}
-
-static int read_header(reader *r, char *line, diag *d) {
-    int status = SARCINA_OK;
-    bool has[KNOWN] = {false};
-    for (char *word; !status && (word = next_word(&line));) {
-        if (r->ncolumns == COLUMNS_MAX)
-            return diag_error(d, "%s:%d: more than %d columns", r->path, r->line, COLUMNS_MAX);
-        status = read_heading(r, word, d);
-        if (!status && r->columns[r->ncolumns - 1] >= 0)
-            has[r->columns[r->ncolumns - 1]] = true;
-    }
-    for (int k = 1; !status && k <= 3; k++)
-        if (!has[k]) {
-            status = diag_error(d, "%s:%d: the header lacks the column '%s'", r->path, r->line, known[k].name);
-            diag_help(d, "columns: species x y z mass diameter ux uy uz, units in brackets: x[um]");
-        }
+    r->particles = c->particle > r->particles ? c->particle : r->particles;
+    if (c->known >= 0 && (!known[c->known].dimension || !dim_by_name(known[c->known].dimension, &c->of)))
+        return SARCINA_OK; /* a text, or an id */
+    c->to_si = interp_unit(r->in, c->of);
+    int status = suffix ? read_unit(r, suffix, c->of, &c->to_si, d) : SARCINA_OK;
+    c->is_engine = fabs(dim_to_engine(c->to_si, c->of) - 1) < 1e-12;
     return status;
 }
 
-static int read_number(const reader *r, const char *word, size_t column, cell_row *row, diag *d) {
-    const known_column *k = &known[r->columns[column]];
-    if (!*word)
-        return SARCINA_OK;
+static bool has_column(const reader *r, const char *name) {
+    for (size_t i = 0; i < r->ncolumns; i++)
+        if (r->columns[i].known >= 0 && strcmp(known[r->columns[i].known].name, name) == 0)
+            return true;
+    return false;
+}
+
+static int read_header(reader *r, char *line, diag *d) {
+    static const char *const centre[] = {"x", "y", "z"};
+    int status = SARCINA_OK;
+    for (char *word; !status && (word = next_word(&line));)
+        status = read_heading(r, word, d);
+    for (int k = 0; !status && k < 3; k++) {
+        bool has = has_column(r, centre[k]);
+        if (!has && !r->particles) {
+            status = diag_error(d, "%s:%d: the header lacks the column '%s'", r->path, r->line, centre[k]);
+            diag_help(d, "columns: species x y z mass diameter ux uy uz, units in brackets: x[um]");
+        } else if (has && r->particles) {
+            status = diag_error(d,
+                                "%s:%d: a cell's place is that of its centre (%s) or of its particles (%s1 ...), "
+                                "not both",
+                                r->path, r->line, centre[k], centre[k]);
+        }
+    }
+    return status;
+}
+
+static int refuse_word(const reader *r, const column *c, const char *word, const char *what, diag *d) {
+    char name[32];
+    if (c->particle)
+        snprintf(name, sizeof name, "%s%u", particle_names[c->component], c->particle);
+    else
+        snprintf(name, sizeof name, "%s", known[c->known].name);
+    return diag_error(d, "%s:%d: %s: '%s' is %s", r->path, r->line, name, word, what);
+}
+
+/* A whole number of a cell's descent. */
+static int read_id(const reader *r, const char *word, const column *c, cell_row *row, diag *d) {
+    char *end;
+    errno = 0;
+    unsigned long long id = strtoull(word, &end, 10);
+    if (*end || errno || !(*word >= '0' && *word <= '9'))
+        return refuse_word(r, c, word, "not a cell's id", d);
+    uint64_t value = id;
+    memcpy((char *)row + known[c->known].offset, &value, sizeof value);
+    return SARCINA_OK;
+}
+
+static int read_number(const reader *r, const char *word, const column *c, cell_row *row, diag *d) {
     size_t n = strlen(word);
     if (number_length(word, n, true) != n)
-        return diag_error(d, "%s:%d: %s: '%s' is not a number", r->path, r->line, k->name, word);
-    dim of;
-    dim_by_name(k->dimension, &of);
-    double value = dim_to_engine(number_read(word, n, 0) * r->to_si[column], of);
-    bool is_size = strcmp(k->name, "mass") == 0 || strcmp(k->name, "diameter") == 0;
-    if (!isfinite(value) || (is_size && !(value > 0)))
-        return diag_error(d, "%s:%d: %s: '%s' is out of range", r->path, r->line, k->name, word);
-    memcpy((char *)row + k->offset, &value, sizeof value);
+        return refuse_word(r, c, word, "not a number", d);
+    double value = number_read(word, n, 0);
+    if (!c->is_engine)
+        value = dim_to_engine(value * c->to_si, c->of);
+    const char *name = c->particle ? "" : known[c->known].name;
+    bool is_size = strcmp(name, "mass") == 0 || strcmp(name, "diameter") == 0;
+    bool is_count = strcmp(name, "generation") == 0;
+    if (!isfinite(value) || (is_size && !(value > 0)) ||
+        (is_count && !(value >= 0 && value <= INT32_MAX && value == floor(value))))
+        return refuse_word(r, c, word, "out of range", d);
+    if (!c->particle) {
+        memcpy((char *)row + known[c->known].offset, &value, sizeof value);
+        return SARCINA_OK;
+    }
+    row->particles[6 * (size_t)(c->particle - 1) + (size_t)c->component] = value;
+    row->nparticles = c->particle > row->nparticles ? c->particle : row->nparticles;
+    return SARCINA_OK;
+}
+
+static int read_word(const reader *r, const char *word, const column *c, cell_row *row, diag *d) {
+    if (!*word || (c->known < 0 && !c->particle))
+        return SARCINA_OK;
+    if (c->particle || strcmp(known[c->known].dimension ? known[c->known].dimension : "", "id") != 0) {
+        if (c->particle || known[c->known].dimension)
+            return read_number(r, word, c, row, d);
+        row->species = species_find(&interp_scene(r->in)->species, word);
+        return row->species < 0 ? diag_error(d, "%s:%d: no species '%s'", r->path, r->line, word) : SARCINA_OK;
+    }
+    return read_id(r, word, c, row, d);
+}
+
+/* What the row says must fit its species. */
+static int check_row(const reader *r, cell_row *row, diag *d) {
+    if (row->species < 0)
+        return diag_error(d, "%s:%d: the row names no species", r->path, r->line);
+    const species *sp = &interp_scene(r->in)->species.list[row->species];
+    size_t wanted = species_particles(sp);
+    if (r->particles && row->nparticles != wanted)
+        return diag_error(d, "%s:%d: a cell of %s has %zu particle%s, not %u", r->path, r->line, sp->name, wanted,
+                          wanted == 1 ? "" : "s", row->nparticles);
+    /* of a coccus, size and mass are one */
+    if (sp->shape == SHAPE_COCCUS && row->diameter > 0 && !(row->mass > 0))
+        row->mass = shape_coccus_mass(row->diameter, sp->density);
     return SARCINA_OK;
 }
 
 static int read_row(reader *r, char *line, cell_row *row, diag *d) {
-    const species_table *known_species = &interp_scene(r->in)->species;
     size_t i = 0;
     int status = SARCINA_OK;
+    if (r->particles)
+        row->particles = alloc_zeroed(6 * (size_t)r->particles, sizeof *row->particles);
     for (char *word; !status && (word = next_word(&line)); i++) {
         if (i >= r->ncolumns)
             return diag_error(d, "%s:%d: more values than columns (%zu)", r->path, r->line, r->ncolumns);
-        if (r->columns[i] < 0)
-            continue;
-        if (known[r->columns[i]].dimension) {
-            status = read_number(r, word, i, row, d);
-        } else if (*word) {
-            row->species = species_find(known_species, word);
-            if (row->species < 0)
-                return diag_error(d, "%s:%d: no species '%s'", r->path, r->line, word);
-        }
+        status = read_word(r, word, &r->columns[i], row, d);
     }
     if (!status && i < r->ncolumns)
         return diag_error(d, "%s:%d: %zu values for %zu columns", r->path, r->line, i, r->ncolumns);
-    /* of a coccus, size and mass are one */
-    const species *sp = &known_species->list[row->species];
-    if (!status && sp->shape == SHAPE_COCCUS && row->diameter > 0 && !(row->mass > 0))
-        row->mass = shape_coccus_mass(row->diameter, sp->density);
-    return status;
+    return status ? status : check_row(r, row, d);
+}
+
+void cell_file_free(cell_row *rows, size_t count) {
+    for (size_t i = 0; rows && i < count; i++)
+        free(rows[i].particles);
+    free(rows);
 }
 
 int cell_file_read(interp *in, const char *path, int species_row, cell_row **rows, size_t *count, diag *d) {
+    *rows = NULL;
+    *count = 0;
     FILE *f = fopen(path, "r");
     if (!f)
         return diag_error(d, "cannot read '%s': %s", path, strerror(errno));
@@ -161,8 +254,6 @@ int cell_file_read(interp *in, const char *path, int species_row, cell_row **row
     char *line = NULL;
     size_t room = 0, capacity = 0;
     int status = SARCINA_OK;
-    *rows = NULL;
-    *count = 0;
     while (!status && getline(&line, &room, f) >= 0) {
         r.line++;
         if (line[strspn(line, " \t\r\n")] == '\0' || line[0] == '#')
@@ -179,9 +270,65 @@ int cell_file_read(interp *in, const char *path, int species_row, cell_row **row
         status = diag_error(d, "'%s' has no header line", path);
     free(line);
     fclose(f);
+    free(r.columns);
     if (status) {
-        free(*rows);
+        cell_file_free(*rows, *count);
         *rows = NULL;
+        *count = 0;
     }
     return status;
+}
+
+/* ---- writing ---------------------------------------------------------------------------------------------------- */
+
+static void write_header(FILE *f, const scene *s, uint32_t particles, bool aspect) {
+    fprintf(f, "# sarcina cells: step %" PRIu64 ", time %.17g s\n", s->step, s->time);
+    fprintf(f, "species,id,parent,founder,generation,age[s],mass[pg],diameter[um]%s", aspect ? ",aspect" : "");
+    for (uint32_t i = 1; i <= particles; i++)
+        fprintf(f, ",x%u[um],y%u[um],z%u[um]", i, i, i);
+    for (uint32_t i = 1; i <= particles; i++)
+        fprintf(f, ",vx%u[um/s],vy%u[um/s],vz%u[um/s]", i, i, i);
+    fputc('\n', f);
+}
+
+/* Three numbers a particle; a cell with fewer of them leaves columns empty. */
+static void write_vectors(FILE *f, const double *v, uint32_t n, uint32_t particles) {
+    for (uint32_t i = 0; i < 3 * particles; i++)
+        if (i < 3 * n)
+            fprintf(f, ",%.17g", v[i]);
+        else
+            fputc(',', f);
+}
+
+static void write_cell(FILE *f, const scene *s, uint32_t row, uint32_t particles, bool aspect) {
+    const cell_columns *c = &s->colony->cell;
+    fprintf(f, "%s,%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%d,%.17g,%.17g,%.17g", s->species.list[c->species[row]].name,
+            c->id[row], c->parent[row], c->founder[row], c->generation[row], s->time - c->birth[row], c->mass[row],
+            c->diameter[row]);
+    if (aspect)
+        fprintf(f, ",%.17g", c->aspect[row]);
+    write_vectors(f, s->colony->particle.x + 3 * (size_t)c->first[row], c->nparticles[row], particles);
+    write_vectors(f, s->colony->particle.v + 3 * (size_t)c->first[row], c->nparticles[row], particles);
+    fputc('\n', f);
+}
+
+int cell_file_write(interp *in, const char *path, diag *d) {
+    const scene *s = interp_scene(in);
+    const cell_columns *c = &s->colony->cell;
+    uint32_t particles = 1;
+    bool aspect = false;
+    for (size_t i = 0; i < c->count; i++) {
+        particles = c->nparticles[i] > particles ? c->nparticles[i] : particles;
+        aspect = aspect || c->aspect[i] > 0;
+    }
+    FILE *f = path_open(path, "w", d);
+    if (!f)
+        return SARCINA_ERROR;
+    write_header(f, s, particles, aspect);
+    const uint32_t *order = colony_by_id(s->colony);
+    for (size_t i = 0; i < c->count; i++)
+        write_cell(f, s, order[i], particles, aspect);
+    bool good = !ferror(f);
+    good = fclose(f) == 0 && good;
+    return good ? SARCINA_OK : path_error(path, d);
 }

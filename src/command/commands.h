@@ -26,6 +26,7 @@
     X(create_cells)                                                                                                    \
     X(attach)                                                                                                          \
     X(delete_cells)                                                                                                    \
+    X(data)                                                                                                            \
     X(set)                                                                                                             \
     X(grow)                                                                                                            \
     X(thermo)                                                                                                          \

@@ -144,6 +144,8 @@ static int run_file(interp *in, const args *a, diag *d) {
         return status;
     bool needs_mass = args_given(a, "mass");
     for (size_t i = 0; i < count; i++)
+        rows[i].id = 0; /* they are new cells here */
+    for (size_t i = 0; i < count; i++)
         needs_mass = needs_mass || !(rows[i].mass > 0);
     placement p = {.mass = spread_fixed(1)};
     diag lacks = {0};
@@ -156,7 +158,7 @@ static int run_file(interp *in, const args *a, diag *d) {
         if (!status)
             finish(in, a, &p, created);
     }
-    free(rows);
+    cell_file_free(rows, count);
     return status;
 }
 

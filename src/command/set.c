@@ -6,12 +6,24 @@
 
 #include "base/alloc.h"
 #include "base/table.h"
+#include "biology/division.h"
 #include "model/shape.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-typedef enum { KEY_X, KEY_Y, KEY_Z, KEY_VX, KEY_VY, KEY_VZ, KEY_MASS, KEY_DIAMETER, KEY_GENERATION } set_key;
+typedef enum {
+    KEY_X,
+    KEY_Y,
+    KEY_Z,
+    KEY_VX,
+    KEY_VY,
+    KEY_VZ,
+    KEY_MASS,
+    KEY_DIAMETER,
+    KEY_GENERATION,
+    KEY_SPECIES
+} set_key;
 
 static const char *const dimensions[] = {"length",   "length", "length", "velocity", "velocity",
                                          "velocity", "mass",   "length", "number"};
@@ -66,6 +78,8 @@ static void set_value(scene *s, set_key key, uint32_t row, double value) {
     case KEY_GENERATION:
         c->cell.generation[row] = (int32_t)value;
         return;
+    case KEY_SPECIES:
+        return; /* set_species */
     }
     species_shape_cell(sp, c, row);
 }
@@ -95,6 +109,39 @@ static int apply(interp *in, const args *a, const bool *flags, const double *si,
     return status;
 }
 
+/* The cell keeps its mass and particles, and becomes one of the species in size, law and limits. */
+static void set_species(scene *s, uint32_t row, int to) {
+    colony *c = s->colony;
+    const species *sp = &s->species.list[to];
+    c->cell.species[row] = to;
+    c->cell.aspect[row] = 0;
+    division_draw_size(sp, c, row, s->rng);
+    species_shape_cell(sp, c, row);
+    c->cell.limit[row] = division_limit(sp, s->rng, c->cell.id[row], c->cell.diameter[row], c->cell.aspect[row]);
+}
+
+static int apply_species(interp *in, const args *a, const bool *flags, diag *d) {
+    scene *s = interp_scene(in);
+    const char *name = expr_text(args_expr(a, "VALUE"));
+    int to = species_find(&s->species, name), status = SARCINA_OK;
+    if (to < 0)
+        status = diag_error(d, "species takes the name of one, not '%s'", name);
+    for (uint32_t i = 0; i < s->colony->cell.count && !status; i++) {
+        const species *from = &s->species.list[s->colony->cell.species[i]];
+        if (flags[i] && (from->shape != s->species.list[to].shape ||
+                         species_particles(from) != species_particles(&s->species.list[to])))
+            status = diag_error(d, "cell %llu of %s has another shape than the cells of %s, and keeps it",
+                                (unsigned long long)s->colony->cell.id[i], from->name, name);
+    }
+    for (uint32_t i = 0; i < s->colony->cell.count && !status; i++)
+        if (flags[i])
+            set_species(s, i, to);
+    if (status)
+        diag_place(d, args_span(a, "VALUE"));
+    s->colony->version++;
+    return status;
+}
+
 static int run_set(interp *in, const args *a, diag *d) {
     size_t n = interp_scene(in)->colony->cell.count;
     bool *flags = alloc_zeroed(n, sizeof *flags), *where = alloc_zeroed(n, sizeof *where);
@@ -105,9 +152,12 @@ static int run_set(interp *in, const args *a, diag *d) {
         status = interp_flags(in, args_expr(a, "where"), where, d);
     for (size_t i = 0; i < n && args_given(a, "where"); i++)
         flags[i] = flags[i] && where[i];
-    if (!status)
+    bool names_species = args_choice(a, "KEY") == KEY_SPECIES;
+    if (!status && names_species)
+        status = apply_species(in, a, flags, d);
+    if (!status && !names_species)
         status = interp_cells(in, args_expr(a, "VALUE"), si, &seen, d);
-    if (!status)
+    if (!status && !names_species)
         status = apply(in, a, flags, si, seen, d);
     free(flags);
     free(where);
@@ -117,14 +167,16 @@ static int run_set(interp *in, const args *a, diag *d) {
 
 static const param params[] = {
     {"GROUP:group", "of these: all, a species, a region, a group"},
-    {"KEY:{x|y|z|vx|vy|vz|mass|diameter|generation}", "what is set; x, y, z move the cell's centre"},
-    {"VALUE:cell", "a formula per cell, one word"},
+    {"KEY:{x|y|z|vx|vy|vz|mass|diameter|generation|species}", "what is set; x, y, z move the cell's centre"},
+    {"VALUE:cell", "a formula per cell, one word; of species the name of one"},
     {"where:cellexpr", "only those for which this holds"},
 };
 
 static const command_form forms[] = {
-    {"set GROUP:group KEY:{x|y|z|vx|vy|vz|mass|diameter|generation} VALUE:cell", params, TABLE_COUNT(params),
-     "Sets a property of cells from a formula", "Every value is computed before the first is set.",
+    {"set GROUP:group KEY:{x|y|z|vx|vy|vz|mass|diameter|generation|species} VALUE:cell", params, TABLE_COUNT(params),
+     "Sets a property of cells from a formula",
+     "Every value is computed before the first is set. A cell whose species is set must have the shape of the new "
+     "one; it keeps its mass, and grows, divides and is sized as its new kind.",
      "set all z z+1um\nset ecoli mass 1.1*mass where stage < 0.8", 0, run_set, NULL, 0},
 };
 

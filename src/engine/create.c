@@ -327,21 +327,52 @@ bool scene_create_arrival(scene *s, const placement *p, const region *where, uin
     return placed;
 }
 
+/* What a row knows beside its place: shape, particles, descent. */
+static void restore_cell(scene *s, const cell_row *from, uint32_t row) {
+    colony *c = s->colony;
+    const species *sp = &s->species.list[from->species];
+    if (from->aspect > 0 && c->cell.aspect[row] > 0) {
+        c->cell.aspect[row] = from->aspect;
+        species_shape_cell(sp, c, row);
+        c->cell.limit[row] = division_limit(sp, s->rng, c->cell.id[row], c->cell.diameter[row], from->aspect);
+    }
+    for (uint32_t i = 0; i < from->nparticles; i++)
+        for (int k = 0; k < 3; k++) {
+            size_t at = 3 * ((size_t)c->cell.first[row] + i) + (size_t)k;
+            c->particle.x[at] = from->particles[6 * i + (uint32_t)k];
+            c->particle.v[at] = from->particles[6 * i + 3 + (uint32_t)k];
+        }
+    if (!from->id)
+        return;
+    c->cell.parent[row] = from->parent;
+    c->cell.founder[row] = from->founder ? from->founder : from->id;
+    c->cell.generation[row] = (int32_t)from->generation;
+    c->cell.birth[row] = s->time - from->age;
+}
+
 int scene_create_rows(scene *s, const placement *p, const cell_row *rows, size_t n, size_t *created, diag *d) {
     int status = check_placement(s, p, d);
-    for (size_t i = 0; i < n && !status; i++)
+    for (size_t i = 0; i < n && !status; i++) {
         status = check_filament(s, p, rows[i].species, d);
+        if (!status && rows[i].nparticles && p->filament > 1)
+            status = diag_error(d, "cell %zu has the places of its particles: it takes no filament", i + 1);
+    }
     if (status)
         return status;
     mark m = set_mark(s);
     for (size_t i = 0; i < n; i++) {
+        uint64_t next = s->colony->next_cell_id;
+        s->colony->next_cell_id = rows[i].id ? rows[i].id : next;
         gsl_rng *stream = rng_stream(s->rng, RNG_CREATE, s->colony->next_cell_id, 0);
         vec3 axis = vec3_load(rows[i].axis);
         double length = vec3_norm(axis);
         axis = length > 0 ? vec3_scale(1 / length, axis) : draw_axis(p, stream);
         double mass = rows[i].mass > 0 ? rows[i].mass : draw_mass(p, stream);
         new_group g = add_group(s, p, rows[i].species, mass, rows[i].diameter);
-        put_group(s, g, rows[i].centre, axis, p->gap);
+        if (!rows[i].nparticles)
+            put_group(s, g, rows[i].centre, axis, p->gap);
+        restore_cell(s, &rows[i], g.first);
+        s->colony->next_cell_id = s->colony->next_cell_id > next ? s->colony->next_cell_id : next;
         if (!p->overlap && !group_has_room(s->colony, g, g.first)) {
             return_to(s, m);
             diag_error(d, "cell %zu of %zu would overlap another; none was created", i + 1, n);

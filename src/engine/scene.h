@@ -133,6 +133,12 @@ typedef struct cell_row {
     int species;
     double centre[3], axis[3];
     double mass, diameter;
+    /* as it was elsewhere, to the bit; 0: nothing is known of it */
+    double aspect;
+    uint32_t nparticles;
+    double *particles;            /* (nparticles x 6): x y z vx vy vz, in the place of centre and axis; owned */
+    uint64_t id, parent, founder; /* id 0: the next one, and a founder */
+    double generation, age;
 } cell_row;
 
 /* An error when places cannot be drawn from a region: it has no bounds. */
