@@ -18,6 +18,7 @@ typedef struct packing {
     colony *c;
     species_table species;
     force_set forces; /* every term has its values; the test turns on what it wants */
+    link_rules links; /* none: links stay as they are */
     uint64_t random;  /* state of the generator */
 } packing;
 
@@ -32,6 +33,7 @@ static inline double packing_draw(packing *p, double lo, double hi) {
 
 static inline packing packing_create(uint64_t seed) {
     packing p = {.c = colony_create(), .random = seed};
+    link_rules_clear(&p.links);
     species_add(&p.species, "coccus");
     species_add(&p.species, "rod");
     species_add(&p.species, "flexible");
@@ -58,11 +60,19 @@ static inline packing packing_create(uint64_t seed) {
 static inline void packing_free(packing *p) {
     colony_free(p->c);
     free(p->species.list);
+    link_rules_free(&p->links);
 }
 
 static inline void packing_on(packing *p, force_kind first, force_kind last) {
     for (int i = (int)first; i <= (int)last; i++)
         p->forces.term[i].on = true;
+}
+
+/* A rule for links of a species, or of a pair of them. */
+static inline void packing_rule(packing *p, link_kind kind, int a, int b, const double values[LINK_PARAMS_MAX]) {
+    link_rule rule = {.on = true};
+    memcpy(rule.p, values, sizeof rule.p);
+    link_rules_set(&p->links, kind, a, b, &rule);
 }
 
 /* A coccus at x; returns its cell row. */
@@ -173,6 +183,7 @@ static inline int packing_bind(const packing *p, mechanics *m, neighbor_method m
     const mechanics_input in = {.colony = p->c,
                                 .species = &p->species,
                                 .forces = &p->forces,
+                                .links = &p->links,
                                 .neighbor = {.skin = -1, .method = method},
                                 .seed = 7,
                                 .threads = threads};

@@ -130,7 +130,7 @@ static const link_rule *filial_rule(const scene *s, int species_row) {
     return link_rules_find(&s->links, LINK_FILIAL, species_row, species_row);
 }
 
-/* Between the facing ends of a cell and the next in a filament: where their filial link is at rest as a whole. */
+/* Between the facing ends of a cell and the next in a filament: where the springs of their filial link cancel. */
 static double joint_length(const scene *s, uint32_t row) {
     const colony *c = s->colony;
     const link_rule *rule = filial_rule(s, c->cell.species[row]);
