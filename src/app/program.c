@@ -2,6 +2,7 @@
 #include "app/program.h"
 
 #include "app/editor.h"
+#include "app/terminal.h"
 #include "base/alloc.h"
 #include "command/commands.h"
 
@@ -11,7 +12,6 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/ioctl.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -58,23 +58,28 @@ void program_complain(const diag *d) {
 
 /* ---- callbacks ---- */
 
-/* Takes the progress line away, so that what is printed next stands alone. */
+/* Takes the progress away, so that what is printed next stands alone. */
 static void erase_progress(program *p) {
     if (p->shown)
         fputs("\r\033[K", stderr);
-    p->shown = false;
+    for (int i = 1; i < p->shown; i++)
+        fputs("\033[A\033[K", stderr);
+    p->shown = 0;
 }
 
-/* No line from the background of a terminal; a line that is too long would wrap and stay: it is cut. */
-static void show_progress(void *self, const char *line) {
+/* None from the background of a terminal. The last line is the progress itself, cut where it would wrap and stay; a
+ * picture above it is as wide as there is room. */
+static void show_progress(void *self, const char *text) {
     program *p = self;
-    struct winsize size;
     erase_progress(p);
-    if (!line || tcgetpgrp(STDERR_FILENO) != getpgrp())
+    if (!text || tcgetpgrp(STDERR_FILENO) != getpgrp())
         return;
-    int columns = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - 1 : 79;
-    fprintf(stderr, "%.*s", columns, line);
-    p->shown = true;
+    const char *last = strrchr(text, '\n');
+    last = last ? last + 1 : text;
+    p->shown = 1;
+    for (const char *c = text; c < last; c++)
+        p->shown += *c == '\n';
+    fprintf(stderr, "%.*s%.*s", (int)(last - text), text, terminal_of(stderr).columns - 1, last);
 }
 
 static void print_screen(void *self, const char *text) {
@@ -121,6 +126,10 @@ static int run_editor(void *self, char **text, diag *d) {
     if (p->screen)
         fflush(p->screen);
     return editor_run(text, d);
+}
+
+static interp_terminal describe_terminal(void *self) {
+    return terminal_of(((program *)self)->screen);
 }
 
 static const char *date_of_today(void *self) {
@@ -196,6 +205,7 @@ int program_create(program *p, const options *o, diag *d) {
                             .open_log = open_log,
                             .shell = run_shell,
                             .environment = look_up_environment,
+                            .terminal = describe_terminal,
                             .date = date_of_today,
                             .edit = run_editor,
                             .interrupt = &interrupted,

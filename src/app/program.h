@@ -15,7 +15,7 @@ typedef struct program {
     command_table *commands;
     FILE *screen; /* NULL: nowhere */
     logfile log;
-    bool shown; /* a progress line stands on the terminal */
+    int shown; /* lines of progress that stand on the terminal */
     char date[16];
     char *library;
 } program;

@@ -3,6 +3,7 @@
 
 #include "command/past.h"
 #include "command/session.h"
+#include "command/watch.h"
 
 #include "base/alloc.h"
 
@@ -26,6 +27,7 @@ static void free_session(void *client) {
     session_drop_groups(s);
     free(s->dynamic);
     past_free(s->past);
+    watch_free(s->watch);
     free(s);
 }
 

@@ -12,6 +12,7 @@
     X(include)                                                                                                         \
     X(expect)                                                                                                          \
     X(program)                                                                                                         \
+    X(show)                                                                                                            \
     X(prompt)                                                                                                          \
     X(help)                                                                                                            \
     X(settings)                                                                                                        \

@@ -85,6 +85,8 @@ static const command_page pages[] = {
     {"info", "Program", "Tells what is in the scene, or where the time went", NULL, "help log"},
     {"undo", "Prompt", "Takes back the last command", NULL, "save clear"},
     {"save", "Prompt", "Writes the session as a script", NULL, "undo write_restart"},
+    {"show", "Prompt", "Draws the colony in the terminal", NULL, "watch write_dump"},
+    {"watch", "Prompt", "Shows the colony or values while a run goes on", NULL, "show thermo"},
     {"edit", "Prompt", "Opens the last command in an editor and runs it", NULL, "undo"},
     {"echo", "Program", "Shows commands as they run", NULL, "log"},
     {"log", "Program", "Chooses the log file", NULL, "echo print"},

@@ -80,14 +80,17 @@ void past_free(past *p) {
 /* Drops the oldest states until the rest fits; the newest stays. */
 static void make_room(interp *in, past *p) {
     size_t used = archive_bytes(p->now), kept = p->n;
-    while (kept > 0 && (kept == p->n || used < PAST_BYTES)) {
+    while (kept > p->dropped && p->list[kept - 1].before) {
+        used += archive_bytes(p->list[kept - 1].before);
+        if (used > interp_undo_bytes(in) && kept < p->n)
+            break;
         kept--;
-        used += p->list[kept].before ? archive_bytes(p->list[kept].before) : 0;
     }
-    if (used < PAST_BYTES || kept <= p->dropped)
+    if (kept == p->dropped || !p->list[kept - 1].before)
         return;
     if (p->dropped == 0)
-        interp_screen(in, "from here on undo goes back %zu commands: older states are dropped", p->n - kept);
+        interp_screen(in, "from here on undo goes back %zu command%s: older states are dropped", p->n - kept,
+                      p->n - kept == 1 ? "" : "s");
     for (size_t i = p->dropped; i < kept; i++) {
         archive_free(p->list[i].before);
         p->list[i].before = NULL;
@@ -220,7 +223,7 @@ static int check_levels(const past *p, size_t n, diag *d) {
         if (e && e->before)
             continue;
         if (e && !e->given)
-            return diag_error(d, "undo goes back %zu commands here: older states have been dropped", i);
+            return diag_error(d, "undo goes back no further than %zu commands: older states have been dropped", i);
         return i ? diag_error(d, "there are %zu commands to undo", i) : diag_error(d, "there is nothing to undo");
     }
     return SARCINA_OK;

@@ -2,7 +2,7 @@
 /* What a prompt has run: the state before each line that changed it, for `undo`, and the lines themselves, for `save`.
  *
  * A line counts when the state (all that a restart file holds, and the settings) is another behind it. States share
- * what they have in common; the oldest are dropped when all of them occupy more than PAST_BYTES. Files are no part of
+ * what they have in common; the oldest are dropped when all of them occupy more than interp_undo_bytes; the last one stays. Files are no part of
  * it: what was written stays, and tables go on behind the step that the scene has gone back to. */
 #ifndef SARCINA_COMMAND_PAST_H
 #define SARCINA_COMMAND_PAST_H
@@ -10,8 +10,6 @@
 #include "script/interp.h"
 
 typedef struct past past;
-
-enum { PAST_BYTES = 256 << 20 }; /* states kept at most, bytes; the last one always */
 
 /* Before the first line: keeps the state as it is. Later calls do nothing. */
 void past_begin(interp *in);

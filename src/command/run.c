@@ -3,6 +3,7 @@
  * output that is due. Order in a cycle: grow, relax, output, every, until; until is also looked at before the first. */
 #include "command/commands.h"
 #include "command/session.h"
+#include "command/watch.h"
 
 #include "base/table.h"
 #include "output/progress.h"
@@ -137,7 +138,9 @@ static void show_progress(interp *in, const plan *p, progress *shown) {
     if (!progress_is_due(shown))
         return;
     progress_line(shown, s->step - shown->done, s->colony->cell.count, p->until != NULL, line, sizeof line);
-    interp_progress(in, line);
+    char *shown_text = watch_text(in, line);
+    interp_progress(in, shown_text);
+    free(shown_text);
 }
 
 static int run_all_cycles(interp *in, const plan *p, diag *d) {

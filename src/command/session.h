@@ -23,10 +23,12 @@ typedef struct dynamic_group {
 } dynamic_group;
 
 typedef struct past past;
+typedef struct watch watch;
 
 typedef struct session {
     interp *in;
-    past *past; /* what a prompt has run (past.h); NULL: there has been none */
+    watch *watch; /* NULL: nothing is watched */
+    past *past;   /* what a prompt has run (past.h); NULL: there has been none */
     outputs *out;
     restart_schedule restart;
     run_report report;

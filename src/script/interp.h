@@ -37,6 +37,15 @@ bool interp_start_log(interp *in);
 /* One line that the next one replaces; NULL takes it away. Where there is no terminal to show it on
  * (interp_has_progress says so) nothing happens. */
 bool interp_has_progress(const interp *in);
+
+/* Where the screen's text goes: a terminal, or what stands for one in a file or pipe. */
+typedef struct interp_terminal {
+    int columns, rows;
+    int colors; /* 0: none; 256; 1 << 24 */
+    bool unicode;
+} interp_terminal;
+interp_terminal interp_terminal_of(const interp *in);
+
 void interp_progress(interp *in, const char *line);
 void interp_warn(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3))); /* limited, counted */
 
@@ -117,6 +126,7 @@ int interp_shell(interp *in, const char *command, diag *d);
 const char *interp_environment(interp *in, const char *name); /* NULL: not set */
 const char *interp_date(const interp *in);                    /* "2026-11-21", or "" */
 int interp_edit(interp *in, char **text, diag *d);            /* by the user; *text is replaced */
+size_t interp_undo_bytes(const interp *in);
 bool interp_skips_runs(const interp *in);                     /* -skiprun: nothing grows, nothing moves */
 void interp_quit(interp *in, int code);
 
@@ -135,11 +145,13 @@ typedef struct interp_host {
     int (*open_log)(void *self, const char *path, bool append, diag *d); /* path NULL: no log */
     int (*shell)(void *self, const char *command, diag *d);
     const char *(*environment)(void *self, const char *name);
+    interp_terminal (*terminal)(void *self);       /* NULL: 80 x 24, without colours, in ASCII */
     const char *(*date)(void *self);               /* of today, as 2026-11-21 */
     int (*edit)(void *self, char **text, diag *d); /* in the user's editor; *text is replaced */
     const volatile sig_atomic_t *interrupt;
     const char *library; /* folder include searches last; NULL */
     bool safe;           /* refuse what is COMMAND_UNSAFE */
+    size_t undo_bytes;   /* of states that a prompt keeps for undo, at most; 0: 256 MB */
     bool skip_runs;      /* grow and relax nothing */
     bool test;           /* a failed expect is counted and the script goes on */
     bool results;        /* leave the tables that ensembles are merged from */

@@ -143,12 +143,22 @@ int interp_variables_restore(interp *in, const char *text, diag *d) {
     return status;
 }
 
+interp_terminal interp_terminal_of(const interp *in) {
+    if (in->host->terminal)
+        return in->host->terminal(in->host->self);
+    return (interp_terminal){.columns = 80, .rows = 24};
+}
+
 const char *interp_date(const interp *in) {
     return in->host->date ? in->host->date(in->host->self) : "";
 }
 
 int interp_edit(interp *in, char **text, diag *d) {
     return in->host->edit ? in->host->edit(in->host->self, text, d) : diag_error(d, "there is no editor here");
+}
+
+size_t interp_undo_bytes(const interp *in) {
+    return in->host->undo_bytes ? in->host->undo_bytes : (size_t)256 << 20;
 }
 
 bool interp_skips_runs(const interp *in) {
