@@ -227,7 +227,8 @@ void program_free(program *p) {
     *p = (program){0};
 }
 
-void program_end(program *p, const interp *in) {
+void program_end(program *p, interp *in) {
+    interp_tell_warnings(in);
     uint64_t n = interp_warnings(in);
     if (n)
         fprintf(stderr, "%" PRIu64 " warning%s\n", n, n == 1 ? "" : "s");

@@ -25,7 +25,7 @@ int program_create(program *p, const options *o, diag *d);
 void program_free(program *p);
 
 /* The end of what there was to do: a word on warnings, and the end of the log. */
-void program_end(program *p, const interp *in);
+void program_end(program *p, interp *in);
 
 /* An interpreter with the variables and settings of the command line. */
 interp *program_interp(program *p, const options *o, diag *d);

@@ -12,7 +12,14 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { WARNINGS_SHOWN = 20 };
+enum { WARNINGS_SHOWN = 5 }; /* of a kind */
+
+/* Warnings of one kind have one format. */
+typedef struct warning_kind {
+    const char *format;
+    char *first; /* its first message */
+    uint64_t count;
+} warning_kind;
 
 /* ---- life ---- */
 
@@ -42,6 +49,9 @@ void interp_free(interp *in) {
     for (size_t i = 0; i < in->nsources; i++)
         source_free(in->sources[i]);
     free(in->sources);
+    for (size_t i = 0; i < in->nkinds; i++)
+        free(in->kinds[i].first);
+    free(in->kinds);
     free(in->expanded);
     free(in->trace);
     free(in);
@@ -178,13 +188,21 @@ void interp_progress(interp *in, const char *line) {
 
 static void tell_warning(interp *in, const char *message) {
     const source *s = in->at.source;
-    bool last = in->warnings == WARNINGS_SHOWN;
-    const char *more = last ? "\nfurther warnings are only counted" : "";
-    char *line = s && *s->name ? alloc_format("%s:%u: warning: %s%s\n", s->name, in->at.line, message, more)
-                               : alloc_format("warning: %s%s\n", message, more);
+    char *line = s && *s->name ? alloc_format("%s:%u: warning: %s\n", s->name, in->at.line, message)
+                               : alloc_format("warning: %s\n", message);
     if (in->host->error)
         in->host->error(in->host->self, line);
     free(line);
+}
+
+/* Counts a warning among those of its kind; returns how many there have been. */
+static uint64_t count_warning(interp *in, const char *format, const char *message) {
+    for (size_t i = 0; i < in->nkinds; i++)
+        if (in->kinds[i].format == format)
+            return ++in->kinds[i].count;
+    in->kinds = alloc_grow(in->kinds, &in->kind_capacity, in->nkinds + 1, sizeof *in->kinds);
+    in->kinds[in->nkinds++] = (warning_kind){format, alloc_copy(message), 1};
+    return 1;
 }
 
 void interp_warn(interp *in, const char *format, ...) {
@@ -198,8 +216,22 @@ void interp_warn(interp *in, const char *format, ...) {
     in->warnings++;
     if (in->warn == WARN_ERROR && !*in->warned)
         snprintf(in->warned, sizeof in->warned, "%.250s", message);
-    else if (in->warn == WARN_ON && in->warnings <= WARNINGS_SHOWN)
+    else if (in->warn == WARN_ON && count_warning(in, format, message) <= WARNINGS_SHOWN)
         tell_warning(in, message);
+}
+
+void interp_tell_warnings(interp *in) {
+    for (size_t i = 0; i < in->nkinds; i++) {
+        warning_kind *k = &in->kinds[i];
+        uint64_t more = k->count > WARNINGS_SHOWN ? k->count - WARNINGS_SHOWN : 0;
+        char *line = alloc_format("%llu more warning%s of this kind: %s\n", (unsigned long long)more,
+                                  more == 1 ? "" : "s", k->first);
+        if (more && in->host->error)
+            in->host->error(in->host->self, line);
+        free(line);
+        free(k->first);
+    }
+    in->nkinds = 0;
 }
 
 /* ---- host services ---- */

@@ -203,6 +203,7 @@ bool interp_has_quit(const interp *in, int *code);
 /* Expects so far, for -test. */
 void interp_expects(const interp *in, uint64_t *passed, uint64_t *failed);
 uint64_t interp_warnings(const interp *in);
+void interp_tell_warnings(interp *in); /* at the end: how many more there were of each kind than were shown */
 
 /* An error as it is shown; the caller frees. Uses what the interpreter kept of the last error. */
 char *interp_explain(interp *in, const diag *d);

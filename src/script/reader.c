@@ -8,6 +8,7 @@
 #include "script/variables.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -343,13 +344,69 @@ int reader_rest(reader *r, word *w, diag *d) {
     return SARCINA_OK;
 }
 
-char *reader_text(const reader *r) {
-    char *text = alloc_zeroed(2 * r->text.n + 1, 1);
-    size_t n = 0;
-    for (size_t i = 0; i < r->text.n; i++) {
+/* ---- the line as text again ---- */
+
+/* A quote that can stand around [from, to): one that is not in it. */
+static const char *choose_quote(const reader *r, size_t from, size_t to) {
+    static const char *const quotes[] = {"\"", "'", "\"\"\""};
+    char *inside = alloc_copy_n(r->text.chars + from, to - from);
+    bool many_lines = strchr(inside, '\n') != NULL;
+    const char *chosen = quotes[2];
+    for (size_t k = 0; k < 2 && !many_lines; k++)
+        if (!strstr(inside, quotes[k])) {
+            chosen = quotes[k];
+            break;
+        }
+    free(inside);
+    return chosen;
+}
+
+/* Whether a replaced character in [from, to) would read as a quote, a comment or a continuation. */
+static bool needs_quotes(const reader *r, size_t from, size_t to) {
+    for (size_t i = from; i < to; i++)
+        if (piece_is_replaced(&r->text, i) &&
+            (strchr("\"'#", r->text.chars[i]) || (r->text.chars[i] == '&' && i + 1 == r->text.n)))
+            return true;
+    return false;
+}
+
+/* Copies [from, to), a replaced $ as $$; returns the new length. */
+static size_t copy_stretch(const reader *r, size_t from, size_t to, char *out, size_t n) {
+    for (size_t i = from; i < to; i++) {
         if (r->text.chars[i] == '$' && piece_is_replaced(&r->text, i))
-            text[n++] = '$';
-        text[n++] = r->text.chars[i];
+            out[n++] = '$';
+        out[n++] = r->text.chars[i];
     }
-    return text;
+    return n;
+}
+
+static size_t copy_quoted(const reader *r, size_t from, size_t to, char *out, size_t n) {
+    const char *quote = choose_quote(r, from, to);
+    n += (size_t)sprintf(out + n, "%s", quote);
+    n = copy_stretch(r, from, to, out, n);
+    return n + (size_t)sprintf(out + n, "%s", quote);
+}
+
+char *reader_text(const reader *r) {
+    const piece *p = &r->text;
+    char *out = alloc_zeroed(8 * p->n + 16, 1); /* quotes of three around every letter at worst */
+    size_t n = 0;
+    for (size_t i = 0; i < p->n;) {
+        size_t quote = piece_is_replaced(p, i) ? 0 : line_quote(p->chars, 0, i), end = i;
+        size_t closed = quote ? line_quote_end(p, i, quote) : (size_t)-1;
+        if (closed != (size_t)-1) {
+            bool clash = needs_quotes(r, i + quote, closed - quote);
+            n = clash ? copy_quoted(r, i + quote, closed - quote, out, n) : copy_stretch(r, i, closed, out, n);
+            i = closed;
+            continue;
+        }
+        /* a bare stretch: to the blank behind it, or to a quote that stands in it as it was written */
+        while (end < p->n && (end == i || piece_is_replaced(p, end) || !line_quote(p->chars, 0, end)) &&
+               !line_is_blank(p->chars[end]))
+            end++;
+        end += end == i;
+        n = needs_quotes(r, i, end) ? copy_quoted(r, i, end, out, n) : copy_stretch(r, i, end, out, n);
+        i = end;
+    }
+    return out;
 }

@@ -54,6 +54,8 @@ struct interp {
     uint64_t epoch; /* commands executed: caches of column values compare it */
     warn_mode warn;
     uint64_t warnings;
+    struct warning_kind *kinds; /* of warnings, each by its format */
+    size_t nkinds, kind_capacity;
     char warned[256]; /* under warn error: the first warning of the running command */
     uint64_t expects_passed, expects_failed;
     echo_mode echo;
