@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* info [scene|timing]: what is in the scene and what acts on it; where the time went. */
+/* info [TOPIC]: what is in the scene and what acts on it; where the time went. */
 #include "command/commands.h"
+#include "command/info_lists.h"
 #include "command/style_values.h"
 
 #include "base/table.h"
@@ -151,18 +152,30 @@ static int run_info(interp *in, const args *a, diag *d) {
         show_timing(in);
         return SARCINA_OK;
     }
+    if (strcmp(topic, "species") == 0) {
+        show_species(in, interp_scene(in), interp_print);
+        return SARCINA_OK;
+    }
+    if (strcmp(topic, "forces") == 0) {
+        show_forces(in, interp_scene(in), interp_print);
+        return SARCINA_OK;
+    }
+    if (info_lists_show(in, topic))
+        return SARCINA_OK;
     diag_error(d, "no information on '%s'", topic);
-    diag_help(d, "info scene, info timing");
+    diag_help(d, "topics: scene, species, forces, timing, %s", info_lists_topics());
     diag_place(d, args_span(a, "TOPIC"));
     return SARCINA_ERROR;
 }
 
 static const param params[] = {
-    {"TOPIC:word?", "scene (without it): what is there and what acts; timing: where time went"}};
+    {"TOPIC:word?",
+     "scene (without it): what is there and what acts; timing: where time went; or species, forces, groups, regions, "
+     "variables, dumps, analyses"}};
 
 static const command_form forms[] = {
-    {"info TOPIC:word?", params, 1, "What is in the scene, or where the time went", NULL, "info scene", 0, run_info,
-     NULL, 0},
+    {"info TOPIC:word?", params, 1, "What is in the scene, or where the time went", NULL, "info scene\ninfo groups", 0,
+     run_info, NULL, 0},
 };
 
 void command_info(command_table *t) {

@@ -26,9 +26,11 @@ static int run_units(interp *in, const args *a, diag *d) {
 
 static int run_seed(interp *in, const args *a, diag *d) {
     int status = refuse_after_cells(in, "seed", d);
-    if (!status)
-        rng_seed(interp_scene(in)->rng, (uint64_t)args_int(a, "N"));
-    return status;
+    if (status)
+        return status;
+    interp_restart_random(in);
+    rng_seed(interp_scene(in)->rng, (uint64_t)args_int(a, "N"));
+    return SARCINA_OK;
 }
 
 static int run_accuracy(interp *in, const args *a, diag *d) {

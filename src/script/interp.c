@@ -84,6 +84,10 @@ double interp_unit(const interp *in, dim d) {
     return in->units == UNITS_SI ? 1 : dim_from_engine(1, d);
 }
 
+void interp_restart_random(interp *in) {
+    in->draws = 0;
+}
+
 void interp_open_world(interp *in) {
     in->check.open_world = true;
 }

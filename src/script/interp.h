@@ -52,6 +52,9 @@ void interp_warn(interp *in, const char *format, ...) __attribute__((format(prin
 typedef enum { WARN_ON, WARN_OFF, WARN_ERROR } warn_mode;
 void interp_set_warn(interp *in, warn_mode mode);
 
+/* random() and its kin of scripts begin again: `seed`. */
+void interp_restart_random(interp *in);
+
 /* Runs a command or block given as text. */
 int interp_execute(interp *in, const char *text, diag *d);
 
@@ -72,6 +75,7 @@ int interp_journal_replay(interp *in, const char *const *texts, size_t n, diag *
 /* The variables as text, one a line: for restart files. Loading keeps what the command line set (-var wins).
  * The caller frees the text. */
 char *interp_variables_save(const interp *in);
+char *interp_variables_list(const interp *in); /* to be read: NAME = TEXT, one a line; the caller frees */
 int interp_variables_load(interp *in, const char *text, diag *d);
 
 /* The name of the i-th `equal` variable; NULL behind the last. */

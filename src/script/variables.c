@@ -227,6 +227,24 @@ char *interp_variables_save(const interp *in) {
     return out;
 }
 
+char *interp_variables_list(const interp *in) {
+    char *out = NULL;
+    size_t n = 0, capacity = 0;
+    put("", &out, &n, &capacity);
+    for (size_t i = 0; i < in->variables.count; i++) {
+        const variable *v = &in->variables.list[i];
+        put(v->name, &out, &n, &capacity);
+        put(v->kind == VARIABLE_FORMULA ? " equal " : v->kind == VARIABLE_LIST ? " list" : " = ", &out, &n, &capacity);
+        put(v->text ? v->text : "", &out, &n, &capacity);
+        for (size_t k = 0; k < v->count; k++) {
+            put(" ", &out, &n, &capacity);
+            put(v->list[k], &out, &n, &capacity);
+        }
+        put("\n", &out, &n, &capacity);
+    }
+    return out;
+}
+
 /* Sets one variable from the words behind its kind. */
 static int load_line(interp *in, variable_kind kind, char *words, diag *d) {
     char *save, *name = strtok_r(words, " ", &save), *item;

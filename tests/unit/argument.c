@@ -342,8 +342,7 @@ static void test_warnings(void **state) {
     size_t n = 0;
     for (const char *at = told; (at = strstr(at, "unusual")); at++)
         n++;
-    assert_int_equal(n, 20);
-    assert_non_null(strstr(told, "further warnings are only counted"));
+    assert_int_equal(n, 5); /* of a kind; the program tells at its end how many more there were */
     assert_non_null(strstr(run("print a & # goes on\n screen no\n"), "a comment behind &"));
 }
 
