@@ -237,9 +237,10 @@ static const command_form forms[] = {
      .nparams = TABLE_COUNT(grid_params),
      .summary = "Cells on the points of a grid",
      .details = "Centre (i, j, k) is origin + (i DX, j DY, k DZ), from 0. Ids go along x, then y, then z. " ALL_OR_NONE,
-     .example = "create_cells ecoli grid 3 3 1 2um 6um 0 origin 40um 40um 0 orient y mass 60% gap 0 filament 1 overlap no "
-                "maxtry 1 "
-                "group mothers",
+     .example =
+         "create_cells ecoli grid 3 3 1 2um 6um 0 origin 40um 40um 0 orient y mass 60% gap 0 filament 1 overlap no "
+         "maxtry 1 "
+         "group mothers",
      .flags = COMMAND_SHADOW,
      .run = run_grid},
     {.head = "create_cells NAME:species file FILE:file",

@@ -37,7 +37,7 @@ static const command_form forms[] = {
     {"quit CODE:int[0,255]?", quit_params, TABLE_COUNT(quit_params), "Ends the script", NULL, "quit", 0, run_quit, NULL,
      0},
     {"echo WHERE:{none|screen|log|both}", echo_params, TABLE_COUNT(echo_params), "Shows commands as they run",
-     "Default: log.", "echo both", 0, run_echo, NULL, 0},
+     "Default: log.", "echo none\necho screen\necho log\necho both", 0, run_echo, NULL, 0},
     {"log FILE:fileoff", log_params, TABLE_COUNT(log_params), "Chooses the log file",
      "Without it and without -log, log.sarcina is written in the working folder once cells begin to move, and an "
      "earlier "

@@ -148,8 +148,10 @@ static const struct {
     {REGION_SPHERE, "region ID:+region sphere X:length Y:length Z:length R:length(0,)", "A ball of space",
      "region bulk sphere 0 0 5um 5um side out", sphere_params, TABLE_COUNT(sphere_params)},
     {REGION_CYLINDER, "region ID:+region cylinder AXIS:{x|y|z} C1:length C2:length R:length(0,) LO:bound HI:bound",
-     "A cylinder along one of the axes", "region spot cylinder z 0 0 5um 0 1um side in", cylinder_params,
-     TABLE_COUNT(cylinder_params)},
+     "A cylinder along one of the axes",
+     "region spot cylinder z 0 0 5um 0 1um side in\nregion pipe cylinder x 0 1um 5um -INF INF\n"
+     "region duct cylinder y 0 1um 5um -INF INF",
+     cylinder_params, TABLE_COUNT(cylinder_params)},
     {REGION_PLANE, "region ID:+region plane PX:length PY:length PZ:length NX:number NY:number NZ:number",
      "The half of space on one side of a plane", "region above plane 0 0 1um 0 0 1 side in", plane_params,
      TABLE_COUNT(plane_params)},

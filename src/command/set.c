@@ -177,7 +177,10 @@ static const command_form forms[] = {
      "Sets a property of cells from a formula",
      "Every value is computed before the first is set. A cell whose species is set must have the shape of the new "
      "one; it keeps its mass, and grows, divides and is sized as its new kind.",
-     "set all z z+1um\nset ecoli mass 1.1*mass where stage < 0.8", 0, run_set, NULL, 0},
+     "set all z z+1um\nset all x 1.1*x\nset all y 0.9*y\nset all vx 0\nset all vy 0\nset all vz 1e-6\n"
+     "set cf generation 0\nspecies pink coccus\nset cf species 'pink'\nset ecoli diameter 0.8um\nset ecoli mass "
+     "1.1*mass where stage < 0.8",
+     0, run_set, NULL, 0},
 };
 
 void command_set(command_table *t) {

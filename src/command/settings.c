@@ -92,7 +92,7 @@ static const param integrator_params[] = {
 static const command_form forms[] = {
     {"units UNITS:{si|bio}", units_params, TABLE_COUNT(units_params), "Units of bare numbers",
      "A number with a unit (0.75um, 4min) means the same under both. Default: si.",
-     "clear\nunits bio\nspecies e rod diameter 0.75", COMMAND_DECLARES, run_units, NULL, 0},
+     "clear\nunits si\nunits bio\nspecies e rod diameter 0.75", COMMAND_DECLARES, run_units, NULL, 0},
     {"seed N:int[0,)", seed_params, TABLE_COUNT(seed_params), "Seed of all random numbers", "Default: 1.",
      "clear\nseed 7", COMMAND_DECLARES, run_seed, NULL, 0},
     {"neighbor", neighbor_params, TABLE_COUNT(neighbor_params), "How neighbours are found",
@@ -100,8 +100,8 @@ static const command_form forms[] = {
      NULL, 0},
     {"threads N:int[1,1024]", threads_params, TABLE_COUNT(threads_params), "Processor cores to compute on",
      "Pays from some thousand cells.", "threads 2", COMMAND_SHADOW, run_threads, NULL, 0},
-    {"warn HOW:{on|off|error}", warn_params, TABLE_COUNT(warn_params), "What happens to warnings", NULL, "warn on",
-     COMMAND_SHADOW, run_warn, NULL, 0},
+    {"warn HOW:{on|off|error}", warn_params, TABLE_COUNT(warn_params), "What happens to warnings", NULL,
+     "warn error\nwarn off\nwarn on", COMMAND_SHADOW, run_warn, NULL, 0},
 };
 
 /* "HEAD:{a|b|c}" from the names of a table; the caller frees. */
@@ -120,23 +120,24 @@ static char *head_of(const char *head, const void *records, size_t n, size_t str
 
 void command_settings(command_table *t) {
     command_add(t, forms, TABLE_COUNT(forms));
-    const command_form accuracy = {.details =
-                                       "Default: balanced. Growth step and relaxation time are physics and no part of "
-                                       "it; nor is the contact law: comparisons with the paper also say "
-                                       "'force collision contact closest'.",
-                                   .example = "accuracy paper",
-                                   .flags = COMMAND_DECLARES,
-                                   .run = run_accuracy};
+    const command_form accuracy = {
+        .details = "Default: balanced. Growth step and relaxation time are physics and no part of "
+                   "it; nor is the contact law: comparisons with the paper also say "
+                   "'force collision contact closest'.",
+        .example = "accuracy draft\naccuracy fast\naccuracy balanced\naccuracy reference\naccuracy paper",
+        .flags = COMMAND_DECLARES,
+        .run = run_accuracy};
     char *head = head_of("accuracy PRESET", accuracy_presets, accuracy_preset_count, sizeof accuracy_presets[0]);
     command_add_style(t, &accuracy, head, "Method and step of the relaxation", accuracy_params, 1, 0);
     for (size_t i = 0; i < accuracy_preset_count; i++)
         command_add_choice(t, accuracy_presets[i].name, accuracy_presets[i].summary);
     free(head);
-    const command_form integrator = {.details =
-                                         "For those who want more than 'accuracy' offers; the last of both counts.",
-                                     .example = "integrator verlet step 1ms\nintegrator dopri5 tol 1e-3",
-                                     .flags = COMMAND_DECLARES,
-                                     .run = run_integrator};
+    const command_form integrator = {
+        .details = "For those who want more than 'accuracy' offers; the last of both counts.",
+        .example = "integrator verlet step 1ms\nintegrator euler\nintegrator rk4\nintegrator rkf45\nintegrator "
+                   "rk8pd\nintegrator bs32\nintegrator dopri5 tol 1e-3",
+        .flags = COMMAND_DECLARES,
+        .run = run_integrator};
     const char *names[INTEGRATOR_COUNT];
     for (int i = 0; i < INTEGRATOR_COUNT; i++)
         names[i] = integrator_styles[i]->name;

@@ -102,6 +102,9 @@ static void put_value(page *p, const value_style *s) {
     }
     if (s->source)
         page_put(p, "  Source: %s\n", s->source);
+    page_put(p, "  Example: ");
+    topic_example_value(p, s);
+    page_put(p, "\n");
     free(name.chars);
     free(text.chars);
 }
@@ -127,10 +130,14 @@ static void put_named(page *p, const command_table *t, const char *name) {
         put_topic(p, about);
     if (v)
         put_value(p, v);
-    if (f)
-        page_put(p, "%s: %s\n", f->signature, f->summary);
-    if (r)
-        page_put(p, "%s: %s\n", r->signature, r->summary);
+    if (f) {
+        page_put(p, "%s: %s\n  Example: ", f->signature, f->summary);
+        topic_example_function(p, f);
+    }
+    if (r) {
+        page_put(p, "%s: %s\n  Example: ", r->signature, r->summary);
+        topic_example_reduction(p, r);
+    }
 }
 
 /* "dump image" is a command and words of one of its forms. */

@@ -125,12 +125,12 @@ void help_put_command(page *p, const command_table *t, const char *name, const c
     page_put(p, "\n");
     bool whole = style || n <= WHOLE_AT_MOST;
     for (size_t i = 0; i < n; i++)
-        if (whole)
+        if (whole || !*signature_style(list[i])) /* what no word asks for */
             put_form(p, t, list[i]);
         else
             put_short(p, list[i]);
     if (!whole)
         page_put(p, "\n'help %s STYLE' explains one of them, such as 'help %s %s'.\n", name, name,
-                 signature_style(list[0]));
+                 signature_style(list[n - 1]));
     put_see(p, about);
 }

@@ -34,6 +34,14 @@ extern const size_t topic_count;
 /* The topic called so, or one that the word leads to; NULL. */
 const topic *topic_find(const char *name);
 
+/* A command that shows a value, a function or a reduction: print "$(mean(length))". It runs after the prelude. */
+struct value_style;
+struct function_style;
+struct reduction_style;
+void topic_example_value(page *p, const struct value_style *s);
+void topic_example_function(page *p, const struct function_style *s);
+void topic_example_reduction(page *p, const struct reduction_style *s);
+
 /* The tables of topics: topic_table.c. */
 topic_row topic_row_dimension, topic_row_value, topic_row_function, topic_row_block, topic_row_color,
     topic_row_accuracy, topic_row_integrator, topic_row_force, topic_row_exit;

@@ -137,3 +137,52 @@ bool topic_row_exit(size_t i, page *name, page *text) {
     page_put(text, "%s", codes[i].text);
     return true;
 }
+
+/* ---- examples ---- */
+
+void topic_example_value(page *p, const struct value_style *s) {
+    if (s->scope == VALUE_CELL) {
+        page_put(p, s->text ? "print \"$(%s[1])\"" : "print \"$(mean(%s))\"", s->name);
+        return;
+    }
+    page_put(p, "print \"$(%s)", s->name);
+    for (size_t i = 0; i < value_field_count(s); i++) {
+        char field[32];
+        dim d;
+        value_field(s, i, field, &d);
+        page_put(p, " $(%s.%s)", s->name, field);
+    }
+    page_put(p, "\"");
+}
+
+void topic_example_function(page *p, const struct function_style *s) {
+    static const struct {
+        function_rule rule;
+        const char *arguments;
+    } special[] = {
+        {FUNCTION_CHOICE, "cells > 1, 1um, 2um"},
+        {FUNCTION_FILE, "'cells.csv'"},
+        {FUNCTION_DEFINED, "'ecoli'"},
+    };
+    if (s->rule == FUNCTION_DESCENDS) {
+        page_put(p, "print \"$(count(%s(1)))\"", s->name);
+        return;
+    }
+    page_put(p, "print \"$(%s(", s->name);
+    bool done = false;
+    for (size_t i = 0; i < TABLE_COUNT(special) && !done; i++)
+        if (special[i].rule == s->rule) {
+            page_put(p, "%s", special[i].arguments);
+            done = true;
+        }
+    for (int i = 0; i < s->least && !done; i++)
+        page_put(p, "%s%s", i ? ", " : "", i ? "1" : "0.5");
+    page_put(p, "))\"");
+}
+
+void topic_example_reduction(page *p, const struct reduction_style *s) {
+    const char *arguments = s->rule == REDUCTION_COUNT || s->rule == REDUCTION_FRACTION ? "ecoli && z > 0"
+                            : s->rule == REDUCTION_QUANTILE                             ? "0.5, length where z > 0"
+                                                                                        : "length where z > 0";
+    page_put(p, "print \"$(%s(%s))\"", s->name, arguments);
+}

@@ -10,75 +10,34 @@
 
 #include <cmocka.h>
 
-#include "script/block.h"
+#include "example_host.h"
 #include "script/control.h"
+#include "analysis/value.h"
 #include "script/foreign.h"
-#include "script/signature.h"
+#include "script/function.h"
+#include "script/help.h"
+#include "script/reduction.h"
 #include "script/topic.h"
 
 #include <stdio.h>
-#include <unistd.h>
 
 static script_host host;
-static char folder[] = "/tmp/sarcina-records-XXXXXX";
-
-static int run_shell(void *self, const char *command, diag *d) {
-    (void)self;
-    return system(command) == 0 ? SARCINA_OK : diag_error(d, "the shell says no");
-}
 
 static int open_host(void **state) {
     (void)state;
-    script_host_open(&host);
-    host.host.shell = run_shell;
-    return mkdtemp(folder) && chdir(folder) == 0 ? 0 : -1;
+    return example_host_open(&host);
 }
 
 static int close_host(void **state) {
     (void)state;
-    script_host_close(&host);
-    return system("rm -rf \"$PWD\"") == 0 ? 0 : -1;
-}
-
-static void write_files(void) {
-    const command_table *t = host.commands;
-    if (system("rm -rf ./*") != 0)
-        fail();
-    for (size_t i = 0; i < t->nfiles; i++) {
-        FILE *f = fopen(t->files[i].name, "w");
-        assert_non_null(f);
-        fputs(t->files[i].text, f);
-        fclose(f);
-    }
-}
-
-/* Runs commands and blocks one after the other, as typed at the prompt. Returns the first status that is not 0. */
-static int type(interp *in, const char *script) {
-    char *text = alloc_copy("");
-    int status = SARCINA_OK;
-    while (*script && !status) {
-        size_t n = strcspn(script, "\n");
-        char *longer = alloc_format("%s%.*s\n", text, (int)n, script);
-        free(text);
-        text = longer;
-        script += n + (script[n] == '\n');
-        if (block_is_open(text) && *script)
-            continue;
-        status = interp_run_line(in, text);
-        *text = '\0';
-    }
-    free(text);
-    return status;
+    return example_host_close(&host);
 }
 
 /* Runs an example after the prelude; what went wrong is shown. */
 static bool runs(const char *what, const char *example) {
-    write_files();
-    interp *in = interp_create(&host.host);
-    int status = type(in, host.commands->prelude);
-    assert_int_equal(status, SARCINA_OK);
-    script_host_clear(&host);
-    status = type(in, example);
+    interp *in = example_host_scene(&host);
+    assert_non_null(in);
+    int status = example_host_type(in, example);
     if (status)
         printf("%s: its example fails (%d)\n%s\n%s\n", what, status, example, host.errors);
     interp_free(in);
@@ -231,7 +190,15 @@ static void test_lammps(void **state) {
     free(path);
 }
 
-/* The example of a form names the words of its head and each of its keywords. */
+static void count_named(const signature *s, const char *word, size_t *named, size_t *wrong) {
+    bool there = has_word(s->form.example, word);
+    if (!there)
+        printf("'%s' is not in the example of %s: %s\n", word, s->form.head, s->form.example);
+    *named += there;
+    *wrong += !there;
+}
+
+/* The example of a form names the words of its head, the choices in it, and each of its keywords. */
 static void test_named(void **state) {
     (void)state;
     const command_table *t = host.commands;
@@ -240,22 +207,177 @@ static void test_named(void **state) {
         const signature *s = &t->list[i];
         for (size_t k = 0; k < s->nhead + s->nkey && s->form.example; k++) {
             const slot *one = k < s->nhead ? &s->head[k] : &s->key[k - s->nhead];
-            if (k < s->nhead && one->kind != SLOT_LITERAL)
-                continue;
-            bool there = has_word(s->form.example, one->name);
-            if (!there)
-                printf("'%s' is not in the example of %s: %s\n", one->name, s->form.head, s->form.example);
-            named += there;
-            wrong += !there;
+            bool stands = k >= s->nhead || one->kind == SLOT_LITERAL; /* for itself */
+            if (stands)
+                count_named(s, one->name, &named, &wrong);
+            for (size_t c = 0; c < one->nchoices && k < s->nhead; c++)
+                count_named(s, one->choices[c], &named, &wrong);
         }
     }
     printf("%zu words and keywords of forms stand in examples, %zu do not\n", named, wrong);
     assert_int_equal(wrong, 0);
 }
 
+/* Every value, function and reduction: its example runs, a misspelt name or field is answered. */
+static void test_values(void **state) {
+    (void)state;
+    size_t ran = 0, wrong = 0, fields = 0;
+    page p = {0};
+    for (size_t i = 0; i < value_style_count + function_style_count + reduction_style_count; i++) {
+        size_t f = i - value_style_count, r = f - function_style_count;
+        p.n = 0;
+        if (i < value_style_count)
+            topic_example_value(&p, &value_styles[i]);
+        else if (f < function_style_count)
+            topic_example_function(&p, &function_styles[f]);
+        else
+            topic_example_reduction(&p, &reduction_styles[r]);
+        wrong += !runs("values", p.chars);
+        ran++;
+    }
+    free(p.chars);
+    interp *in = example_host_scene(&host);
+    for (size_t i = 0; i < value_style_count; i++) {
+        const char *name = value_styles[i].name;
+        char *line = alloc_format("print \"$(%s.nosuchfield)\"", name);
+        script_host_clear(&host);
+        bool refused = interp_run_line(in, line) != SARCINA_OK;
+        wrong += !refused || !(strstr(host.errors, "nosuchfield") || strstr(host.errors, "no fields"));
+        fields++;
+        free(line);
+        if (strlen(name) < 3) /* too short for a slip to be told from another word */
+            continue;
+        line = alloc_format("print \"$(%s%c)\"", name, name[strlen(name) - 1]);
+        char *hint = alloc_format("did you mean '%s'?", name);
+        script_host_clear(&host);
+        wrong += interp_run_line(in, line) == SARCINA_OK || !strstr(host.errors, hint);
+        free(hint);
+        free(line);
+    }
+    interp_free(in);
+    printf("%zu examples of values and functions, %zu values with wrong fields and slips refused, %zu wrong\n", ran,
+           fields, wrong);
+    assert_int_equal(wrong, 0);
+}
+
+/* Help on a thing; fails when there is none, or it does not hold the text. */
+static size_t helps(interp *in, const char *about, const char *text) {
+    diag d = {0};
+    char *help = help_text(in, about, &d);
+    bool right = help && strstr(help, text);
+    if (!right)
+        printf("help %s: %s\n", about, help ? "does not say all" : d.message);
+    free(help);
+    return !right;
+}
+
+static char *read_file(const char *path) {
+    FILE *f = fopen(path, "r");
+    char *text = alloc_copy(""), line[4096];
+    while (f && fgets(line, sizeof line, f))
+        script_host_append(&text, line);
+    if (f)
+        fclose(f);
+    return text;
+}
+
+/* Every command has its page in the overview and in man/, which names its words, choices and keywords. */
+static size_t check_page(const command_table *t, const char *name, size_t *words) {
+    const signature *list[HELP_FORMS_MAX];
+    size_t n = signature_forms(t, name, list, HELP_FORMS_MAX), wrong = 0;
+    char *path = alloc_format("%s/../../man/sarcina-%s.7", SARCINA_TEST_DATA, name), *text = read_file(path);
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < list[i]->nhead + list[i]->nkey; k++) {
+            const slot *s = k < list[i]->nhead ? &list[i]->head[k] : &list[i]->key[k - list[i]->nhead];
+            bool there = strstr(text, s->name);
+            for (size_t c = 0; c < s->nchoices; c++)
+                there = there && strstr(text, s->choices[c]);
+            if (!there)
+                printf("%s does not name %s: run scripts/manual\n", path, s->name);
+            *words += 1 + s->nchoices;
+            wrong += !there;
+        }
+    if (!signature_page(t, name))
+        printf("%s has no row in src/command/pages.c\n", name), wrong++;
+    free(text);
+    free(path);
+    return wrong;
+}
+
+static void test_help(void **state) {
+    (void)state;
+    const command_table *t = host.commands;
+    interp *in = example_host_scene(&host);
+    const char *name;
+    size_t wrong = 0, commands = 0, styles = 0, words = 0, others = 0;
+    for (; (name = signature_command(t, commands)); commands++) {
+        wrong += helps(in, name, name);
+        wrong += helps(in, "", name);
+        wrong += check_page(t, name, &words);
+    }
+    for (size_t i = 0; i < t->count; i++) {
+        const char *style = signature_style(&t->list[i]);
+        char *about = alloc_format("%s%s%s", t->list[i].head[0].name, *style ? " " : "", style);
+        char *line = alloc_copy_n(t->list[i].form.example, strcspn(t->list[i].form.example, "\n"));
+        wrong += helps(in, about, line);
+        free(line);
+        styles++;
+        free(about);
+    }
+    for (size_t i = 0; i < value_style_count; i++, others++)
+        wrong += helps(in, value_styles[i].name, value_styles[i].dimension);
+    for (size_t i = 0; i < function_style_count; i++, others++)
+        wrong += helps(in, function_styles[i].name, function_styles[i].signature);
+    for (size_t i = 0; i < reduction_style_count; i++, others++)
+        wrong += helps(in, reduction_styles[i].name, reduction_styles[i].signature);
+    for (size_t i = 0; i < control_word_count; i++, others++)
+        wrong += helps(in, control_words[i].name, control_words[i].summary);
+    for (size_t i = 0; i < topic_count; i++, others++)
+        wrong += helps(in, topic_list[i].name, topic_list[i].title);
+    for (size_t i = 0; i < t->npages; i++)
+        if (!is_command(t->pages[i].name))
+            printf("src/command/pages.c: there is no command %s\n", t->pages[i].name), wrong++;
+    printf("help and pages: %zu commands, %zu forms, %zu words in man/, %zu values, functions, blocks and topics; %zu "
+           "wrong\n",
+           commands, styles, words, others, wrong);
+    interp_free(in);
+    assert_int_equal(wrong, 0);
+}
+
+/* apropos and help find what there is, and answer what there is not. */
+static void test_search(void **state) {
+    (void)state;
+    static const struct {
+        const char *word, *finds;
+    } finds[] = {{"overlap", "force collision"}, {"OVERLAP", "create_cells"}, {"percent", "numbers"},
+                 {"Debye", "force dlvo"},        {"handover", "link"},        {"jump", "blocks"}};
+    interp *in = example_host_scene(&host);
+    diag d = {0};
+    for (size_t i = 0; i < sizeof finds / sizeof *finds; i++) {
+        char *text = help_search(in, finds[i].word, &d);
+        if (!text || !strstr(text, finds[i].finds))
+            fail_msg("apropos %s does not find %s", finds[i].word, finds[i].finds);
+        free(text);
+    }
+    assert_null(help_search(in, "qqqq", &d));
+    assert_string_equal(d.message, "nothing has to do with 'qqqq'");
+    diag_clear(&d);
+    assert_null(help_text(in, "thicknes", &d));
+    assert_string_equal(d.message, "no help about 'thicknes'");
+    assert_non_null(strstr(d.help, "did you mean 'thickness'?"));
+    diag_clear(&d);
+    assert_null(help_text(in, "dump nosuchstyle", &d));
+    assert_null(help_text(in, "nosuchcommand image", &d));
+    assert_int_equal(helps(in, "sphere", "region"), 0);
+    assert_int_equal(helps(in, "gap", "create_cells"), 0);
+    assert_int_equal(helps(in, "colours", "#"), 0);
+    interp_free(in);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_examples), cmocka_unit_test(test_named),
-                                       cmocka_unit_test(test_topics), cmocka_unit_test(test_pages),
-                                       cmocka_unit_test(test_lammps)};
+                                       cmocka_unit_test(test_topics),   cmocka_unit_test(test_pages),
+                                       cmocka_unit_test(test_lammps),   cmocka_unit_test(test_values),
+                                       cmocka_unit_test(test_help),     cmocka_unit_test(test_search)};
     return cmocka_run_group_tests_name("records", tests, open_host, close_host);
 }
