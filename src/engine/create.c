@@ -299,6 +299,11 @@ int scene_create_random(scene *s, const placement *p, size_t n, const region *wh
     mark m = set_mark(s);
     spots *apart = spacing > 0 ? spots_create(n, spacing) : NULL;
     for (size_t i = 0; i < n; i++) {
+        if (s->interrupt && *s->interrupt) {
+            return_to(s, m);
+            status = diag_fail(d, SARCINA_INTERRUPTED, "interrupted after %zu of %zu cells; none was created", i, n);
+            break;
+        }
         gsl_rng *stream = rng_stream(s->rng, RNG_CREATE, s->colony->next_cell_id, 0);
         double mass = draw_mass(p, stream);
         new_group g = add_group(s, p, p->species, mass, NAN);

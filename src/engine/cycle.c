@@ -104,10 +104,11 @@ int scene_cycle(scene *s, double dt, double relax_time, double relax_force, diag
     double t = scene_clock();
     snapshot *before = snapshot_take(s);
     relax_result result = {0};
-    int status = dt > 0 ? scene_grow(s, dt, d) : SARCINA_OK;
-    if (!status && relax_time > 0)
+    bool stopped = s->interrupt && *s->interrupt; /* a run that does not relax looks nowhere else */
+    int status = dt > 0 && !stopped ? scene_grow(s, dt, d) : SARCINA_OK;
+    if (!status && relax_time > 0 && !stopped)
         status = scene_relax(s, relax_time, relax_force, &result, d);
-    if (!status && result.stop == RELAX_INTERRUPTED)
+    if (!status && (stopped || result.stop == RELAX_INTERRUPTED))
         status = diag_fail(d, SARCINA_INTERRUPTED, "interrupted; the scene is as after step %llu",
                            (unsigned long long)s->step);
     if (status)

@@ -243,7 +243,11 @@ static void follow(char *line) {
     } else if (begins(line, "size ", &rest)) {
         resize(rest);
     } else if (begins(line, "env ", &rest)) {
-        putenv(strdup(rest));
+        char *value = strchr(line, '=');
+        if (!value)
+            fail("no NAME=VALUE: ", rest);
+        *value = '\0';
+        setenv(rest, value + 1, 1);
     } else if (*line && *line != '#') {
         fail("what is this: ", line);
     }

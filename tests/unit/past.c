@@ -182,12 +182,21 @@ static void test_script(void **state) {
     interp_free(in);
 }
 
+static void test_no_editor(void **state) {
+    (void)state;
+    host.host.edit = NULL;
+    interp *in = interp_create(&host.host);
+    script_host_clear(&host);
+    type(in, "edit");
+    assert_non_null(strstr(host.errors, "there is no editor here"));
+    interp_free(in);
+    host.host.edit = script_host_edit;
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_examples),
-        cmocka_unit_test(test_room),
-        cmocka_unit_test(test_sharing),
-        cmocka_unit_test(test_script),
+        cmocka_unit_test(test_examples), cmocka_unit_test(test_room),      cmocka_unit_test(test_sharing),
+        cmocka_unit_test(test_script),   cmocka_unit_test(test_no_editor),
     };
     return cmocka_run_group_tests(tests, open_host, close_host);
 }
