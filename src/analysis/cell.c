@@ -135,6 +135,12 @@ double cell_length(const view *v, uint32_t row) {
     return length_between_caps(v, row) + v->colony->cell.diameter[row];
 }
 
+double cell_straightness(const view *v, uint32_t row) {
+    const double *x = particles_of(v, row), *last = x + 3 * ((size_t)v->colony->cell.nparticles[row] - 1);
+    double length = length_between_caps(v, row);
+    return length > 0 ? vec3_norm(vec3_sub(vec3_load(last), vec3_load(x))) / length : 1;
+}
+
 double cell_shapez(const view *v, uint32_t row) {
     return 2 * length_between_caps(v, row);
 }

@@ -24,6 +24,8 @@
     CELL_VALUE(zmin, "length", "z of its lowest particle")                                                             \
     CELL_VALUE(zmax, "length", "z of its highest particle")                                                            \
     CELL_VALUE(length, "length", "distance along its particles plus the diameter (tip to tip, with caps)")             \
+    CELL_VALUE(straightness, "number",                                                                                 \
+               "distance of its end particles over the length along its particles; 1 for a rod, a coccus")             \
     CELL_VALUE(diameter, "length", "diameter")                                                                         \
     CELL_VALUE(volume, "volume", "mass over density")                                                                  \
     CELL_VALUE(vx, "velocity", "x of the velocity of the centre")                                                      \

@@ -21,7 +21,8 @@ typedef enum {
     RNG_SCRIPT = 9,    /* random(), normal(), poisson() of scripts */
     RNG_FRAME = 10,    /* frame of a coccus that divides along planes, at its first division */
     RNG_BRANCH = 11,   /* whether a daughter begins a branch */
-    RNG_ATTACH = 12    /* how many cells attach in a step, and each one's mass, axis and place */
+    RNG_ATTACH = 12,   /* how many cells attach in a step, and each one's mass, axis and place */
+    RNG_SNAP = 13      /* side to which a daughter snaps at division */
 } rng_purpose;
 
 typedef struct rng rng;

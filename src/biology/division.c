@@ -52,6 +52,17 @@ double division_mean_mass(const species *s) {
     return mass_of_size(s, spread_mean(size), spread_mean(&s->diameter), spread_mean(&s->aspect));
 }
 
+bool division_walls(const species *s) {
+    int style = s->division.style;
+    return style >= 0 && division_styles[style] == &division_planes && s->division.values[DIVISION_PLANES].a > 1;
+}
+
+bool division_pairs(const species *s) {
+    int style = s->division.style;
+    bool knows = style >= 0 && division_styles[style] != &division_random;
+    return knows && s->division.values[DIVISION_PAIRS].a != 0;
+}
+
 double division_branch(const species *s) {
     int style = s->division.style;
     bool branches = style >= 0 && division_styles[style] == &division_midpoint;
@@ -125,6 +136,14 @@ static uint32_t add_daughter(const division_context *x, uint32_t mother) {
     return daughter;
 }
 
+static void turn_mother(const division_context *x, const handover *links, uint32_t mother) {
+    const species *s = &x->species->list[x->colony->cell.species[mother]];
+    const division_style *rule = division_styles[s->division.style];
+    uint32_t neighbours[HANDOVER_NEIGHBOURS];
+    if (rule->turn)
+        rule->turn(x, mother, neighbours, handover_neighbours(links, mother, neighbours));
+}
+
 size_t division_step(const division_context *x) {
     colony *c = x->colony;
     size_t n = c->cell.count, due = 0;
@@ -134,6 +153,8 @@ size_t division_step(const division_context *x) {
         if (c->cell.mass[order[i]] > c->cell.limit[order[i]])
             mothers[due++] = order[i]; /* rows stay where they are: daughters are appended */
     handover *links = due ? handover_begin(x) : NULL;
+    for (size_t i = 0; i < due; i++)
+        turn_mother(x, links, mothers[i]); /* by neighbours that have not divided yet */
     for (size_t i = 0; i < due; i++) {
         uint32_t mother = mothers[i];
         const species *s = &x->species->list[c->cell.species[mother]];

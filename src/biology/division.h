@@ -31,6 +31,9 @@ typedef struct division_style {
     /* Places mother (row) and daughter (appended; its row is returned) of half the mother's mass each; the caller sets
      * masses and identity columns before, shapes are right when it is called. */
     void (*place)(const division_context *x, uint32_t mother, uint32_t daughter);
+    /* Before any cell of the step divides: turns what the mother keeps of her orientation to where her n filial
+     * neighbours (rows) lie now. Optional. */
+    void (*turn)(const division_context *x, uint32_t mother, const uint32_t *neighbours, size_t n);
 } division_style;
 
 extern const division_style *const division_styles[];
@@ -43,6 +46,18 @@ enum { DIVISION_MASS, DIVISION_SIZE, DIVISION_JITTER, DIVISION_AXIS, DIVISION_OW
 enum { DIVISION_BRANCH = DIVISION_OWN }; /* of midpoint */
 enum { DIVISION_TRIES = DIVISION_OWN };  /* of random */
 enum { DIVISION_PLANES = DIVISION_OWN }; /* of planes */
+enum {
+    DIVISION_PAIRS = DIVISION_OWN + 1,
+    DIVISION_SNAP
+}; /* the former of midpoint and planes, the latter of midpoint */
+
+/* Do cells of the species share walls with others than mother and daughter: cocci that divide along two or three
+ * planes?
+ */
+bool division_walls(const species *s);
+
+/* Do cells of the species part from their older filial neighbours when they divide? */
+bool division_pairs(const species *s);
 enum { AXIS_AUTO, AXIS_X, AXIS_Y, AXIS_Z };
 
 /* Mass at which a cell divides, pg: drawn once a life where the rule has a spread; infinite without a rule. */

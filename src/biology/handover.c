@@ -2,6 +2,7 @@
 #include "biology/handover.h"
 
 #include "base/alloc.h"
+#include "base/vec3.h"
 #include "model/axis.h"
 #include "model/link.h"
 
@@ -18,15 +19,15 @@ typedef struct link_entry {
 
 struct handover {
     const division_context *x;
-    uint32_t *head, *tail; /* by cell row (cells when the step began) */
+    uint32_t *head, *tail; /* by cell row (ncells: twice those when the step began, newborns included) */
     size_t ncells;
     link_entry *entries;
     size_t count, capacity;
+    bool *broken; /* by link row, as far as links have broken: to be dropped in the end */
+    size_t nbroken, broken_end, broken_capacity;
 };
 
 static void note(handover *h, uint32_t row, uint32_t link) {
-    if (row >= h->ncells)
-        return; /* a newborn does not divide in this step */
     h->entries = alloc_grow(h->entries, &h->capacity, h->count + 1, sizeof *h->entries);
     h->entries[h->count] = (link_entry){link, NO_ENTRY};
     if (h->head[row] == NO_ENTRY)
@@ -42,7 +43,7 @@ handover *handover_begin(const division_context *x) {
         return NULL;
     handover *h = alloc_zeroed(1, sizeof *h);
     h->x = x;
-    h->ncells = c->cell.count;
+    h->ncells = 2 * c->cell.count;
     h->head = alloc_zeroed(h->ncells, sizeof *h->head);
     h->tail = alloc_zeroed(h->ncells, sizeof *h->tail);
     memset(h->head, 0xff, h->ncells * sizeof *h->head);
@@ -54,9 +55,35 @@ handover *handover_begin(const division_context *x) {
     return h;
 }
 
+/* Breaks a link: nothing is held by it from now on, and it goes when the step is over. */
+static void part(handover *h, uint32_t link) {
+    h->broken = alloc_grow(h->broken, &h->broken_capacity, (size_t)link + 1, sizeof *h->broken);
+    while (h->broken_end <= link)
+        h->broken[h->broken_end++] = false;
+    h->broken[link] = true;
+    h->nbroken++;
+}
+
+static bool is_broken(const handover *h, uint32_t link) {
+    return link < h->broken_end && h->broken[link];
+}
+
+static void drop_broken(handover *h) {
+    colony *c = h->x->colony;
+    if (!h->nbroken)
+        return;
+    bool *drop = alloc_zeroed(c->link.count, sizeof *drop);
+    memcpy(drop, h->broken, h->broken_end * sizeof *drop);
+    colony_drop_links(c, drop);
+    c->links_broken += h->nbroken;
+    free(drop);
+}
+
 void handover_end(handover *h) {
     if (!h)
         return;
+    drop_broken(h);
+    free(h->broken);
     free(h->head);
     free(h->tail);
     free(h->entries);
@@ -87,11 +114,14 @@ static bool is_nearer(const colony *c, uint32_t daughter, uint32_t mother, uint3
 }
 
 /* Of a rod the end says whose a filial link is, of a coccus the distance. */
-static void hand_filial(colony *c, uint32_t link, uint32_t mother, uint32_t daughter) {
+static void hand_filial(handover *h, uint32_t link, uint32_t mother, uint32_t daughter) {
+    colony *c = h->x->colony;
     bool goes = c->cell.nparticles[mother] > 1 ? link_find_end(c, link, mother) == LINK_LAST_END
                                                : is_nearer(c, daughter, mother, other_row(c, link, mother));
-    if (goes)
-        give(c, link, mother, daughter);
+    if (!goes)
+        return;
+    give(c, link, mother, daughter);
+    note(h, daughter, link);
 }
 
 static void hand_stick(const handover *h, uint32_t link, uint32_t mother, uint32_t daughter) {
@@ -189,19 +219,89 @@ static void begin_branch(handover *h, const link_rule *rule, uint32_t beside, ui
     join(h, rule, LINK_BRANCHED, daughter, LINK_FIRST_END, neighbour, facing);
 }
 
+static double distance_between(const colony *c, uint32_t row, uint32_t other) {
+    double a[3], b[3];
+    colony_centre(c, row, a);
+    colony_centre(c, other, b);
+    return vec3_norm(vec3_sub(vec3_load(a), vec3_load(b)));
+}
+
+/* Joins one of the halves to a cell; where the two stick, that link gives way. What it holds was the mother's. */
+static void share_wall(handover *h, const link_rule *rule, uint32_t mother, uint32_t half, uint32_t other) {
+    const colony *c = h->x->colony;
+    for (uint32_t e = h->head[mother]; e != NO_ENTRY; e = h->entries[e].next) {
+        uint32_t link = h->entries[e].link;
+        if (c->link.kind[link] == LINK_STICK && is_held(c, link, half) && is_held(c, link, other))
+            part(h, link);
+    }
+    join(h, rule, LINK_STRAIGHT, half, LINK_FIRST_END, other, LINK_LAST_END);
+}
+
+static bool has_row(const uint32_t *rows, size_t n, uint32_t row) {
+    for (size_t i = 0; i < n; i++)
+        if (rows[i] == row)
+            return true;
+    return false;
+}
+
+/* The neighbour's neighbour that is nearest to a half whose sister has kept the neighbour, and nearer than that one;
+ * NO_ENTRY. */
+static uint32_t find_wall(const handover *h, uint32_t half, uint32_t neighbour) {
+    const colony *c = h->x->colony;
+    uint32_t own[HANDOVER_NEIGHBOURS], beyond[HANDOVER_NEIGHBOURS], nearest = NO_ENTRY;
+    size_t nown = handover_neighbours(h, half, own), n = handover_neighbours(h, neighbour, beyond);
+    double least = distance_between(c, half, neighbour);
+    for (size_t i = 0; i < n; i++) {
+        double distance = distance_between(c, half, beyond[i]);
+        bool free = beyond[i] != half && c->cell.nparticles[beyond[i]] == 1 && !has_row(own, nown, beyond[i]);
+        if (free && distance < least) {
+            nearest = beyond[i];
+            least = distance;
+        }
+    }
+    return nearest;
+}
+
+/* For each of the mother's neighbours as they were: the half that has not kept it looks for a wall of its own. */
+static void share_walls(handover *h, const link_rule *rule, uint32_t mother, uint32_t daughter,
+                        const uint32_t *neighbours, size_t n) {
+    for (size_t i = 0; i < n; i++) {
+        uint32_t half = is_nearer(h->x->colony, daughter, mother, neighbours[i]) ? mother : daughter;
+        uint32_t other = find_wall(h, half, neighbours[i]);
+        if (other != NO_ENTRY)
+            share_wall(h, rule, mother, half, other);
+    }
+}
+
+size_t handover_neighbours(const handover *h, uint32_t row, uint32_t neighbours[HANDOVER_NEIGHBOURS]) {
+    size_t n = 0;
+    for (uint32_t e = h ? h->head[row] : NO_ENTRY; e != NO_ENTRY; e = h->entries[e].next) {
+        uint32_t link = h->entries[e].link;
+        const colony *c = h->x->colony;
+        if (n < HANDOVER_NEIGHBOURS && c->link.kind[link] == LINK_FILIAL && is_held(c, link, row) &&
+            !is_broken(h, link))
+            neighbours[n++] = other_row(h->x->colony, link, row);
+    }
+    return n;
+}
+
 void handover_divide(handover *h, uint32_t mother, uint32_t daughter) {
     if (!h)
         return;
     colony *c = h->x->colony;
     int row = c->cell.species[mother];
     const link_rule *rule = link_rules_find(h->x->links, LINK_FILIAL, row, row);
-    uint32_t beside = rule ? draw_branch(h, mother, daughter) : NO_ENTRY;
+    uint32_t beside = rule ? draw_branch(h, mother, daughter) : NO_ENTRY, neighbours[HANDOVER_NEIGHBOURS];
+    bool walls = rule && division_walls(&h->x->species->list[row]) && !division_pairs(&h->x->species->list[row]);
+    size_t nneighbours = walls ? handover_neighbours(h, mother, neighbours) : 0;
     for (uint32_t e = h->head[mother]; e != NO_ENTRY; e = h->entries[e].next) {
         uint32_t link = h->entries[e].link;
-        if (!is_held(c, link, mother))
+        if (!is_held(c, link, mother) || is_broken(h, link))
             continue;
-        if (c->link.kind[link] == LINK_FILIAL && beside == NO_ENTRY)
-            hand_filial(c, link, mother, daughter);
+        if (c->link.kind[link] == LINK_FILIAL && division_pairs(&h->x->species->list[row]))
+            part(h, link);
+        else if (c->link.kind[link] == LINK_FILIAL && beside == NO_ENTRY)
+            hand_filial(h, link, mother, daughter);
         else if (c->link.kind[link] == LINK_STICK)
             hand_stick(h, link, mother, daughter);
         else if (c->link.kind[link] == LINK_ANCHOR)
@@ -211,4 +311,6 @@ void handover_divide(handover *h, uint32_t mother, uint32_t daughter) {
         begin_branch(h, rule, beside, mother, daughter);
     else if (rule)
         join(h, rule, LINK_STRAIGHT, daughter, LINK_FIRST_END, mother, LINK_LAST_END);
+    if (nneighbours)
+        share_walls(h, rule, mother, daughter, neighbours, nneighbours);
 }

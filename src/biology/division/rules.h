@@ -19,6 +19,9 @@ extern const division_style division_planes;
         "axis=auto:{auto|x|y|z}", "its direction; auto: drawn, horizontal on a substratum"                             \
     }
 
+#define RULES_PAIRS_PARAM                                                                                              \
+    { "pairs=no:flag", "a mother's older filial links break when she divides: cells stay in pairs (diplo-)" }
+
 /* Place and velocity of a cell's i-th particle; not past the next cell added. */
 double *division_place(const colony *c, uint32_t cell, uint32_t i);
 double *division_velocity(const colony *c, uint32_t cell, uint32_t i);
