@@ -3,6 +3,7 @@
  * not depend on the order of links. */
 #include "analysis/component.h"
 
+#include "analysis/chain.h"
 #include "base/alloc.h"
 
 #include <math.h>
@@ -16,7 +17,7 @@ static uint32_t find(uint32_t *root, uint32_t row) {
     return row;
 }
 
-static void join(const colony *c, uint32_t *root, uint32_t a, uint32_t b) {
+void component_join(const colony *c, uint32_t *root, uint32_t a, uint32_t b) {
     a = find(root, a);
     b = find(root, b);
     if (c->cell.id[a] < c->cell.id[b])
@@ -42,43 +43,39 @@ void component_roots(colony *c, int kind, const bool *members, uint32_t *root) {
         root[row] = row;
     for (uint32_t link = 0; link < c->link.count; link++)
         if (joined_rows(c, link, kind, members, &a, &b))
-            join(c, root, a, b);
+            component_join(c, root, a, b);
     for (uint32_t row = 0; row < c->cell.count; row++)
         root[row] = find(root, row);
 }
 
-/* Number of components of at least `least` members, their largest size and their cells altogether. */
-typedef struct tally {
-    double count, largest, cells;
-} tally;
-
-static tally tally_components(const view *v, const bool *members, int kind, uint32_t least) {
-    colony *c = v->colony;
-    uint32_t *root = alloc_zeroed(c->cell.count, sizeof *root);
+void component_sizes(const colony *c, uint32_t *root, const bool *members, uint32_t least, double out[3]) {
     uint32_t *size = alloc_zeroed(c->cell.count, sizeof *size);
-    component_roots(c, kind, members, root);
+    double cells = 0;
+    out[0] = out[1] = 0;
     for (uint32_t row = 0; row < c->cell.count; row++)
         if (!members || members[row])
-            size[root[row]]++;
-    tally t = {0, 0, 0};
+            size[find(root, row)]++;
     for (uint32_t row = 0; row < c->cell.count; row++) {
         if (size[row] < least)
             continue;
-        t.count += 1;
-        t.cells += size[row];
-        t.largest = size[row] > t.largest ? size[row] : t.largest;
+        out[0] += 1;
+        cells += size[row];
+        out[1] = size[row] > out[1] ? size[row] : out[1];
     }
-    free(root);
+    out[2] = out[0] > 0 ? cells / out[0] : (double)NAN;
     free(size);
-    return t;
+}
+
+static void measure_components(const view *v, const bool *members, int kind, uint32_t least, double *out) {
+    uint32_t *root = alloc_zeroed(v->colony->cell.count, sizeof *root);
+    component_roots(v->colony, kind, members, root);
+    component_sizes(v->colony, root, members, least, out);
+    free(root);
 }
 
 int component_clusters(const view *v, const bool *members, double *out, diag *d) {
     (void)d;
-    tally t = tally_components(v, members, COMPONENT_ANY_LINK, 1);
-    out[0] = t.count;
-    out[1] = t.largest;
-    out[2] = t.count > 0 ? t.cells / t.count : (double)NAN;
+    measure_components(v, members, COMPONENT_ANY_LINK, 1, out);
     return SARCINA_OK;
 }
 
@@ -100,10 +97,8 @@ static double count_ends(const view *v, const bool *members) {
 
 int component_filaments(const view *v, const bool *members, double *out, diag *d) {
     (void)d;
-    tally t = tally_components(v, members, LINK_FILIAL, 2);
-    out[0] = t.count;
-    out[1] = t.largest;
-    out[2] = t.count > 0 ? t.cells / t.count : (double)NAN;
+    measure_components(v, members, LINK_FILIAL, 2, out);
     out[3] = count_ends(v, members);
+    chain_shape(v, members, &out[4], &out[5]);
     return SARCINA_OK;
 }

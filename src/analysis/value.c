@@ -7,13 +7,16 @@
 #include "analysis/defects.h"
 #include "analysis/ellipse.h"
 #include "analysis/extent.h"
+#include "analysis/linkage.h"
 #include "analysis/mechanical.h"
+#include "analysis/order.h"
 #include "analysis/orientation.h"
 #include "analysis/outline.h"
 #include "analysis/plane.h"
 #include "analysis/solid.h"
 #include "analysis/state.h"
 #include "analysis/texture.h"
+#include "analysis/touching.h"
 #include "base/table.h"
 
 #include <assert.h>
@@ -33,6 +36,12 @@ static const char storck[] = "Storck et al. (2014), Biophys. J. 106:2037";
     {                                                                                                                  \
         .name = #id, .scope = VALUE_ANALYSIS, .dimension = (dimension_), .fields = (fields_), .summary = (definition), \
         .source = (source_), .measure = (function)                                                                     \
+    }
+
+#define NEAR_ANALYSIS(id, dimension_, fields_, definition, function)                                                   \
+    {                                                                                                                  \
+        .name = #id, .scope = VALUE_ANALYSIS, .dimension = (dimension_), .fields = (fields_), .summary = (definition), \
+        .near = true, .measure = (function)                                                                            \
     }
 
 const value_style value_styles[] = {
@@ -73,10 +82,36 @@ const value_style value_styles[] = {
     ANALYSIS(clusters, "number", "largest:number,mean:number",
              "sets of cells that links join, single cells included; cells in the largest, and on average", NULL,
              component_clusters),
-    ANALYSIS(filaments, "number", "longest:number,mean:number,ends:number",
+    ANALYSIS(filaments, "number", "longest:number,mean:number,ends:number,length:length,straightness:number",
              "chains of two or more cells that filial links join; cells in the longest, and on average; cells with one "
-             "filial link",
+             "filial link; of those without branches the mean length along the centres, and distance of the ends over "
+             "that length",
              NULL, component_filaments),
+    ANALYSIS(link_strain, "number", "least:number,largest:number,filial:number,stick:number,anchor:number",
+             "mean over the springs of links of (length - rest)/rest; the least, the largest, and the mean by kind",
+             NULL, linkage_strain),
+    ANALYSIS(link_age, "time", "oldest:time,filial:time,stick:time,anchor:time",
+             "mean age of the links, in growth time; that of the oldest, and the mean by kind", NULL, linkage_age),
+    ANALYSIS(coordination, "number", "pairs:number,alone:number",
+             "mean number of cells that a cell touches, of those measured; pairs that touch; part that touches nobody",
+             NULL, touching_coordination),
+    ANALYSIS(contact_clusters, "number", "largest:number,mean:number",
+             "sets of cells that touch, single cells included; cells in the largest, and on average", NULL,
+             touching_clusters),
+    NEAR_ANALYSIS(
+        nematic, "number", "plane:number,pairs:number,radius:length",
+        "mean of (3 cos^2(theta) - 1)/2 over pairs of cells with axes at most a radius apart (one mean length "
+        "unless given), theta between their axes: 1 parallel, 0 at random; 2 cos^2 - 1 seen from above; pairs; "
+        "the radius",
+        order_nematic),
+    ANALYSIS(mixing, "number", "observed:number,expected:number",
+             "part of the cells whose nearest neighbour is of another species, over what it is when the same cells' "
+             "species are dealt at random: 0 apart, 1 at random",
+             NULL, order_mixing),
+    ANALYSIS(layering, "number", "mean:number,first:number",
+             "highest layer: a cell is in layer 1 + round(h/D), h from the lowest point of all to its own, D the mean "
+             "diameter; mean layer, part in the first",
+             NULL, order_layering),
     ANALYSIS(
         compactness, "number", "volume:volume",
         "volume of the cells over that of their convex hull (of the particle centres, grown by the mean radius); that "

@@ -24,6 +24,7 @@ typedef struct value_style {
                             * The bare name is a value of its own, out[0]; field i is out[1 + i] */
     const char *summary;   /* one line: the definition */
     const char *source;    /* where the definition comes from; NULL */
+    bool near;             /* reads view.radius */
     double (*cell)(const view *v, uint32_t row);      /* VALUE_CELL, numbers */
     const char *(*text)(const view *v, uint32_t row); /* VALUE_CELL, text; holds while the view does */
     /* VALUE_STATE, VALUE_ANALYSIS: fills out (1 + fields); members: flag a cell row, NULL: all cells.

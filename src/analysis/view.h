@@ -21,6 +21,7 @@ typedef struct view {
     double time, relaxed; /* sums of growth steps and of relaxation, s */
     double wall;          /* seconds of computing */
     uint64_t links_formed, links_broken;
+    double radius;            /* for measures of what is near, um; 0: their own */
     struct view_cache *cache; /* never NULL where a value of the mechanics or of links is read */
 } view;
 

@@ -2,6 +2,7 @@
 /* analyze ID GROUP STYLE, analyze ID GROUP first_time TEST, analyze now GROUP STYLE, analyze ID off. An ID is a value
  * in expressions; so are the analyses themselves, over all cells, by their own names. */
 #include "command/commands.h"
+#include "command/analyze_bins.h"
 #include "command/output_list.h"
 
 #include "base/alloc.h"
@@ -17,10 +18,12 @@
 /* ---- measuring --------------------------------------------------------------------------------------------------- */
 
 /* The style's value and fields of a group of the present scene, SI. */
-static int measure(interp *in, const value_style *style, const char *group, double si[1 + VALUE_FIELDS_MAX], diag *d) {
+static int measure(interp *in, const value_style *style, const char *group, double radius,
+                   double si[1 + VALUE_FIELDS_MAX], diag *d) {
     bool *members;
     int status = output_list_members(in, group, &members, d);
     view v = scene_view(interp_scene(in));
+    v.radius = radius;
     if (!status)
         status = style->measure(&v, members, si, d);
     free(members);
@@ -49,7 +52,7 @@ static int measured_value(interp *in, const output_analysis *p, const char *fiel
     if (!si)
         return SARCINA_OK;
     double all[1 + VALUE_FIELDS_MAX];
-    int status = measure(in, p->style, p->group, all, d);
+    int status = measure(in, p->style, p->group, p->radius, all, d);
     *si = all[1 + i];
     return status;
 }
@@ -80,6 +83,8 @@ static int first_value(const output_analysis *p, const char *field, double index
 
 static int analysis_value(interp *in, size_t i, const char *field, double index, dim *dimension, double *si, diag *d) {
     const output_analysis *p = &output_list_of(in)->analyses[i];
+    if (p->bins)
+        return analyze_bins_value(in, p, field, index, dimension, si, d);
     bool keeps = !p->style && field && strcmp(field, "kept") == 0;
     if (!isnan(index) && !keeps)
         return diag_error(d, "%s%s%s is one value: it takes no [ ]", p->id, field ? "." : "", field ? field : "");
@@ -90,7 +95,7 @@ static int analysis_value(interp *in, size_t i, const char *field, double index,
 
 int output_list_judge(outputs *o, output_analysis *p, diag *d) {
     bool now = false;
-    if (p->style || p->happened)
+    if (!p->test || p->happened)
         return SARCINA_OK;
     int status = interp_truth(o->in, p->test, &now, d);
     if (status || !now)
@@ -119,6 +124,8 @@ static void put_header(const output_analysis *p) {
 }
 
 int output_list_open_analysis(output_analysis *p, diag *d) {
+    if (p->bins)
+        return analyze_bins_open(p, d);
     int status = p->file ? stream_open(p->file, d) : SARCINA_OK;
     if (status || !p->file || !stream_is_empty(p->file))
         return status;
@@ -130,10 +137,12 @@ int output_list_write_analysis(outputs *o, output_analysis *p, diag *d) {
     const scene *s = interp_scene(o->in);
     double si[1 + VALUE_FIELDS_MAX];
     char text[FIELD_ROOM];
+    if (p->bins)
+        return analyze_bins_write(o, p, d);
     int status = output_list_open_analysis(p, d);
     if (status || stream_has(p->file, s->step))
         return status;
-    status = measure(o->in, p->style, p->group, si, d);
+    status = measure(o->in, p->style, p->group, p->radius, si, d);
     if (status)
         return status;
     FILE *f = stream_file(p->file);
@@ -146,7 +155,7 @@ int output_list_write_analysis(outputs *o, output_analysis *p, diag *d) {
 
 /* ---- the commands ------------------------------------------------------------------------------------------------ */
 
-static void add_analysis(outputs *o, const output_analysis *p) {
+void output_list_add_analysis(outputs *o, const output_analysis *p) {
     o->analyses = alloc_grow(o->analyses, &o->analysis_capacity, o->nanalyses + 1, sizeof *o->analyses);
     o->analyses[o->nanalyses++] = *p;
 }
@@ -160,6 +169,15 @@ static int check_group(const value_style *style, const args *a, diag *d) {
     if (strcmp(args_text(a, "GROUP"), "all") == 0 || style->measure(&v, &none, out, d) == SARCINA_OK)
         return SARCINA_OK;
     diag_place(d, args_span(a, "GROUP"));
+    return SARCINA_ERROR;
+}
+
+/* A radius for a measure that has none is a slip. */
+static int check_radius(const value_style *style, const args *a, diag *d) {
+    if (style->near || !args_given(a, "radius"))
+        return SARCINA_OK;
+    diag_error(d, "%s takes no radius", style->name);
+    diag_place(d, args_span(a, "radius"));
     return SARCINA_ERROR;
 }
 
@@ -181,15 +199,18 @@ static int run_style(interp *in, const args *a, diag *d) {
     if (!p.style)
         return SARCINA_OK; /* not known in this check */
     int status = check_group(p.style, a, d);
+    if (!status)
+        status = check_radius(p.style, a, d);
     if (!status && args_given(a, "file"))
         status = read_file(o, a, &p, d);
     if (status)
         return status;
     if (args_given(a, "every"))
         p.every = args_cycles(a, "every");
+    p.radius = args_given(a, "radius") ? args_number(a, "radius") : 0;
     p.id = alloc_copy(args_text(a, "ID"));
     p.group = alloc_copy(args_text(a, "GROUP"));
-    add_analysis(o, &p);
+    output_list_add_analysis(o, &p);
     return SARCINA_OK;
 }
 
@@ -226,7 +247,7 @@ static int run_first_time(interp *in, const args *a, diag *d) {
     p.test = expr_keep(args_expr(a, "TEST"));
     p.id = alloc_copy(args_text(a, "ID"));
     p.group = alloc_copy("all");
-    add_analysis(output_list_of(in), &p);
+    output_list_add_analysis(output_list_of(in), &p);
     return SARCINA_OK;
 }
 
@@ -243,9 +264,11 @@ static int run_now(interp *in, const args *a, diag *d) {
     if (!style)
         return SARCINA_OK;
     int status = check_group(style, a, d);
+    if (!status)
+        status = check_radius(style, a, d);
     if (status || interp_checking(in))
         return status;
-    status = measure(in, style, args_text(a, "GROUP"), si, d);
+    status = measure(in, style, args_text(a, "GROUP"), args_given(a, "radius") ? args_number(a, "radius") : 0, si, d);
     if (status)
         return status;
     print_value(in, style->name, NULL, si[0], value_dim(style));
@@ -281,6 +304,7 @@ static const param style_params[] = {
     {"ID:+analysis", "its name, a value from here on"},
     {"GROUP:group", "the cells: all, a species, a region, a group"},
     {"STYLE:analysis0", "what is measured"},
+    {"radius:length(0,)", "of nematic: how far neighbours are; else one mean length of the cells"},
     {"every:cycles[1,)", "cycles, or a time, between rows of the file; 1"},
     {"file:file", "a CSV file for step, time, the value and its fields, in SI units"},
 };
@@ -293,6 +317,7 @@ static const param first_params[] = {
 static const param now_params[] = {
     {"GROUP:group", "the cells: all, a species, a region, a group"},
     {"STYLE:analysis0", "what is measured"},
+    {"radius:length(0,)", "of nematic: how far neighbours are; else one mean length of the cells"},
 };
 static const param off_params[] = {{"ID:analysis", "the analysis to forget"}};
 
@@ -300,15 +325,16 @@ static const command_form forms[] = {
     {"analyze ID:+analysis GROUP:group STYLE:analysis0", style_params, TABLE_COUNT(style_params),
      "Names a measure of some cells, and writes it along the way",
      "Every analysis is also a value by its own name, over all cells, without this command.",
-     "analyze C ecoli orientation every 5 file C.csv\nprint \"$(C)\"", COMMAND_DECLARES, run_style, NULL, 0},
+     "analyze C ecoli orientation every 5 file C.csv\nprint \"$(C)\"\nanalyze S ecoli nematic radius 5um",
+     COMMAND_DECLARES, run_style, NULL, 0},
     {"analyze ID:+analysis GROUP:group first_time TEST:expr", first_params, TABLE_COUNT(first_params),
      "Notes when a test first holds, and values at that moment", NULL,
      "analyze stacked all first_time thickness > 0.75um keep cells ellipse\nrun 3 grow 4min relax 0.1s\nprint "
      "\"$(stacked.time/1h) h, $(stacked.kept[1]) cells\"",
      COMMAND_DECLARES, run_first_time, NULL, 0},
     {"analyze now GROUP:group STYLE:analysis0", now_params, TABLE_COUNT(now_params),
-     "Measures some cells and prints what was found", NULL, "analyze now all thickness", COMMAND_SHADOW, run_now, NULL,
-     0},
+     "Measures some cells and prints what was found", NULL,
+     "analyze now all thickness\nanalyze now all nematic radius 5um", COMMAND_SHADOW, run_now, NULL, 0},
     {"analyze ID:analysis off", off_params, 1, "Forgets an analysis", NULL, "analyze C all orientation\nanalyze C off",
      COMMAND_DECLARES, run_off, NULL, 0},
 };
@@ -316,4 +342,5 @@ static const command_form forms[] = {
 void command_analyze(command_table *t) {
     command_add_class(t, &analysis_class);
     command_add(t, forms, TABLE_COUNT(forms));
+    command_add(t, analyze_bins_forms, analyze_bins_form_count);
 }

@@ -22,10 +22,14 @@ typedef struct output_dump {
     image_options image; /* of a picture */
 } output_dump;
 
+typedef struct output_bins output_bins; /* analyze_bins.h */
+
 typedef struct output_analysis {
     char *id;
     char *group;
-    const value_style *style; /* NULL: first_time */
+    const value_style *style; /* NULL: first_time, or bins */
+    double radius;            /* of styles that look around, um; 0: their own */
+    output_bins *bins;        /* NULL: none */
     /* first_time */
     expr *test;
     output_column *kept;
@@ -84,7 +88,10 @@ int output_list_print_row(outputs *o, bool screen, bool log, diag *d);
 int output_list_open_dump(output_dump *p, diag *d);
 int output_list_write_dump(outputs *o, output_dump *p, diag *d);
 
-/* analyze.c: opens, judges a first_time at the end of a cycle, and writes a row of the present step to the file. */
+/* analyze.c: takes an analysis in. */
+void output_list_add_analysis(outputs *o, const output_analysis *p);
+
+/* Opens, judges a first_time at the end of a cycle, and writes a row of the present step to the file. */
 int output_list_open_analysis(output_analysis *p, diag *d);
 int output_list_judge(outputs *o, output_analysis *p, diag *d);
 int output_list_write_analysis(outputs *o, output_analysis *p, diag *d);

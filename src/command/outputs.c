@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "command/outputs.h"
 
+#include "command/analyze_bins.h"
 #include "command/output_list.h"
 #include "command/session.h"
 
@@ -47,6 +48,7 @@ static void release_analysis(output_analysis *p) {
     expr_free(p->test);
     output_list_release_columns(p->kept, p->nkept);
     free(p->values);
+    analyze_bins_free(p->bins);
     stream_free(p->file);
 }
 
@@ -167,7 +169,7 @@ static int write_due(outputs *o, bool begins, bool row, diag *d) {
     if (!status && (row || is_due(o, o->thermo_every, begins)))
         status = print_row(o, d);
     for (size_t i = 0; i < o->nanalyses && !status; i++)
-        if (o->analyses[i].file && is_due(o, o->analyses[i].every, begins))
+        if ((o->analyses[i].file || o->analyses[i].bins) && is_due(o, o->analyses[i].every, begins))
             status = output_list_write_analysis(o, &o->analyses[i], d);
     for (size_t i = 0; i < o->ndumps && !status; i++)
         if (is_due(o, o->dumps[i].every, begins))

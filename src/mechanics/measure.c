@@ -85,6 +85,10 @@ static int compare_rows(const void *a, const void *b) {
     return (p > q) - (p < q);
 }
 
+double mechanics_touch(const mechanics *m) {
+    return m->touch;
+}
+
 /* How many cells are touched: a chain touches one by several segments. */
 static uint32_t count_cells(touching *t) {
     uint32_t count = 0;

@@ -111,6 +111,9 @@ double mechanics_kinetic(mechanics *m, const double *v);
 /* Largest net force on a particle at the colony's own x, damping left out. */
 double mechanics_fmax(mechanics *m);
 
+/* Cells whose surfaces are nearer than this times the sum of their radii count as touching; at least 1. */
+double mechanics_touch(const mechanics *m);
+
 /* Per cell at the colony's own x: deepest overlap (r_A + r_B - distance, 0 when apart; without the 1 % reach), number
  * of contacts (cells within reach), and net force (ncells x 3) without damping. Arrays by cell row; any may be NULL. */
 void mechanics_contacts(mechanics *m, double *overlap, uint32_t *contacts, double *force);
