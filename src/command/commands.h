@@ -33,6 +33,7 @@
     X(thermo)                                                                                                          \
     X(dump)                                                                                                            \
     X(analyze)                                                                                                         \
+    X(plot)                                                                                                            \
     X(run)                                                                                                             \
     X(restart)                                                                                                         \
     X(clear)                                                                                                           \

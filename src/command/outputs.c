@@ -242,6 +242,9 @@ void outputs_save(const outputs *o, archive *a) {
     fclose(out);
     archive_put(a, "outputs", text, size);
     free(text);
+    char *history = thermo_save(o->table, &size);
+    archive_put(a, "thermo", history, size);
+    free(history);
 }
 
 static void load_file(outputs *o, const char *path) {
@@ -310,5 +313,9 @@ int outputs_load(outputs *o, const archive *a, diag *d) {
         free(line);
         text += n + (text[n] == '\n');
     }
+    size_t n = 0;
+    const char *history = archive_get(a, "thermo", &n);
+    if (history)
+        thermo_load(o->table, history, n);
     return rewind_files(o, d);
 }

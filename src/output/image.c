@@ -69,13 +69,17 @@ static void find_bounds(const capsule *list, size_t n, const camera *eye, vec3 *
         }
 }
 
-static stage set_stage(const capsule *list, size_t n, const image_options *o) {
+/* Leaves `right` pixels of the picture free at its right side. */
+static stage set_stage(const capsule *list, size_t n, const image_options *o, double right) {
     stage s = {.list = list, .count = n, .background = color_to_linear(o->background)};
     vec3 low, high;
     s.eye = camera_look(o->theta, o->phi, o->width, o->height);
     find_bounds(list, n, &s.eye, &low, &high);
+    s.eye.width -= (int)right;
     camera_fit(&s.eye, low, high, 0.92, o->zoom);
+    s.eye.width = o->width;
     s.middle = s.eye.centre;
+    s.eye.centre = vec3_axpy(s.eye.centre, 0.5 * (int)right / s.eye.scale, s.eye.right);
     s.radius = 0.5 * vec3_norm(vec3_sub(high, low));
     s.has_floor = o->has_floor;
     s.floor_z = o->floor_z;
@@ -91,7 +95,7 @@ int image_set(const dump_frame *f, const image_options *o, image_scene *out, dia
     if (!status) {
         size_t count;
         out->list = build_capsules(f->view->colony, rows, colors, n, &count);
-        out->stage = set_stage(out->list, count, o);
+        out->stage = set_stage(out->list, count, o, image_overlay_margin(f, o, &out->key));
     }
     free(rows);
     free(colors);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/image_overlay.h"
 
+#include "output/readable.h"
 #include "output/spring_list.h"
 
 #include <math.h>
@@ -105,42 +106,30 @@ static double draw_springs(canvas *c, const dump_frame *f, const camera *eye, co
 
 /* ---- what the colours mean --------------------------------------------------------------------------------------- */
 
-/* Units that people read: a length of a picture is in um, not in metres. */
-static const struct {
-    const char *dimension, *name;
-    double si;
-} units[] = {{"length", "um", 1e-6},     {"mass", "pg", 1e-15}, {"area", "um2", 1e-12},     {"volume", "um3", 1e-18},
-             {"velocity", "um/s", 1e-6}, {"time", "h", 3600},   {"rate", "1/h", 1 / 3600.0}};
+/* A bar of the map with the numbers at its ends and in its middle. */
+typedef struct bar {
+    char label[160], number[3][32];
+    double size, wide; /* height of a letter; of all, px */
+} bar;
 
-/* Divisor of the numbers and what stands behind the title. */
-static double choose_unit(dim d, char suffix[64]) {
-    char text[48];
-    dim known;
-    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-        if (dim_by_name(units[i].dimension, &known) && dim_equal(d, known)) {
-            snprintf(suffix, 64, " (%s)", units[i].name);
-            return units[i].si;
-        }
-    dim_suffix(d, text);
-    snprintf(suffix, 64, text[0] ? " (%s)" : "", text);
-    return 1;
+static bar lay_out_bar(const char *title, const image_key *key, const image_options *o) {
+    bar b = {.size = fmax(9, o->height / 46.0)};
+    char suffix[48];
+    double text = 0, unit = readable_unit(key->d, suffix);
+    snprintf(b.label, sizeof b.label, suffix[0] ? "%.60s (%s)" : "%.60s", title, suffix);
+    for (int i = 0; i < 3; i++) {
+        snprintf(b.number[i], sizeof b.number[i], "%.3g", (key->low + 0.5 * i * (key->high - key->low)) / unit);
+        text = fmax(text, canvas_text_width(b.number[i], b.size));
+    }
+    b.wide = fmax(1.7 * b.size + text, canvas_text_width(b.label, b.size));
+    return b;
 }
 
-/* A bar of the map with the numbers at its ends and in its middle, right of `right`, from y down. Returns its height.
- */
-static double draw_bar(canvas *c, const char *title, const image_key *key, double right, double y,
-                       const image_options *o) {
-    double size = fmax(9, c->height / 46.0), width = 1.1 * size, height = 9 * size, text = 0;
-    char suffix[64], label[160], number[3][32];
-    double unit = choose_unit(key->d, suffix);
-    snprintf(label, sizeof label, "%.60s%s", title, suffix);
-    for (int i = 0; i < 3; i++) {
-        snprintf(number[i], sizeof number[i], "%.3g", (key->low + 0.5 * i * (key->high - key->low)) / unit);
-        text = fmax(text, canvas_text_width(number[i], size));
-    }
-    double wide = fmax(width + 0.6 * size + text, canvas_text_width(label, size)), left = right - wide;
+/* Left of `right`, from y down. Returns its height. */
+static double draw_bar(canvas *c, const bar *b, const image_key *key, double right, double y, const image_options *o) {
+    double size = b->size, width = 1.1 * size, height = 9 * size, left = right - b->wide;
     canvas_box(c, left - 0.5 * size, y - 0.5 * size, right + 0.5 * size, y + height + 3.8 * size, o->background, 0.8);
-    canvas_text(c, left, y + size, size, label, ink(o));
+    canvas_text(c, left, y + size, size, b->label, ink(o));
     double top = rint(y + 2.6 * size); /* whole pixels: the rows of the bar are to meet */
     int steps = (int)height;
     for (int i = 0; i < steps; i++)
@@ -149,16 +138,20 @@ static double draw_bar(canvas *c, const char *title, const image_key *key, doubl
     for (int i = 0; i < 3; i++) {
         double at = top + steps * (1 - 0.5 * i);
         canvas_line(c, left + width, at, left + width + 0.3 * size, at, 0.1 * size, ink(o), 1);
-        canvas_text(c, left + width + 0.6 * size, at + 0.4 * size, size, number[i], ink(o));
+        canvas_text(c, left + width + 0.6 * size, at + 0.4 * size, size, b->number[i], ink(o));
     }
     return height + 5 * size;
 }
 
-static void draw_names(canvas *c, const image_key *key, double right, double y, const image_options *o) {
-    double size = fmax(9, c->height / 46.0), wide = 0;
+static double names_width(const image_key *key, double size) {
+    double wide = 0;
     for (size_t i = 0; i < key->names; i++)
         wide = fmax(wide, canvas_text_width(key->name[i], size));
-    double left = right - wide - 1.8 * size;
+    return wide + 1.8 * size;
+}
+
+static void draw_names(canvas *c, const image_key *key, double right, double y, const image_options *o) {
+    double size = fmax(9, c->height / 46.0), left = right - names_width(key, size);
     canvas_box(c, left - 0.5 * size, y - 0.5 * size, right + 0.5 * size, y + 1.8 * size * (double)key->names,
                o->background, 0.8);
     for (size_t i = 0; i < key->names; i++, y += 1.8 * size) {
@@ -167,16 +160,51 @@ static void draw_names(canvas *c, const image_key *key, double right, double y, 
     }
 }
 
+static const char links_title[] = "strain of links";
+
+static image_key key_of_springs(double strain) {
+    return (image_key){.kind = strain > 0 ? KEY_MAP : KEY_NONE, .low = -strain, .high = strain, .map = strain_map()};
+}
+
+static double strain_shown(const dump_frame *f, const image_options *o) {
+    size_t n;
+    if (o->springs != IMAGE_SPRINGS_STRAIN)
+        return 0;
+    spring_item *list = spring_list_make(f, &n);
+    double most = largest_strain(list, n);
+    free(list);
+    return most;
+}
+
+double image_overlay_margin(const dump_frame *f, const image_options *o, const image_key *key) {
+    double size = fmax(9, o->height / 46.0), wide = 0;
+    const image_key springs = key_of_springs(strain_shown(f, o));
+    if (!o->legend)
+        return 0;
+    if (key->kind == KEY_MAP && key->high > key->low)
+        wide = lay_out_bar(key->title, key, o).wide;
+    if (key->kind == KEY_NAMES && key->names > 1)
+        wide = names_width(key, size);
+    if (springs.kind == KEY_MAP)
+        wide = fmax(wide, lay_out_bar(links_title, &springs, o).wide);
+    return wide > 0 ? fmin(wide + 2.4 * size, o->width / 3.0) : 0;
+}
+
 /* In the upper right corner: the cells' colours, and below them those of the springs. */
 static void draw_legend(canvas *c, const image_options *o, const image_key *key, double strain) {
     double size = fmax(9, c->height / 46.0), right = c->width - 1.2 * size, y = 1.2 * size;
-    if (key->kind == KEY_MAP && key->high > key->low)
-        y += draw_bar(c, key->title, key, right, y, o);
-    else if (key->kind == KEY_NAMES && key->names > 1)
+    const image_key springs = key_of_springs(strain);
+    if (key->kind == KEY_MAP && key->high > key->low) {
+        bar b = lay_out_bar(key->title, key, o);
+        y += draw_bar(c, &b, key, right, y, o);
+    } else if (key->kind == KEY_NAMES && key->names > 1) {
         draw_names(c, key, right, y, o);
-    const image_key springs = {.low = -strain, .high = strain, .map = strain_map()};
-    if (o->springs == IMAGE_SPRINGS_STRAIN && strain > 0 && key->kind != KEY_NAMES)
-        draw_bar(c, "strain of links", &springs, right, y, o);
+        y += 1.8 * size * (double)key->names + size;
+    }
+    if (springs.kind == KEY_MAP) {
+        bar b = lay_out_bar(links_title, &springs, o);
+        draw_bar(c, &b, &springs, right, y, o);
+    }
 }
 
 void image_overlay_draw(canvas *c, const dump_frame *f, const camera *eye, const image_options *o,

@@ -19,12 +19,16 @@ typedef struct thermo_cell {
     char suffix[50]; /* "[m]" or "" */
     char *format;    /* NULL: the default */
     double last;     /* number of the row written last, SI */
+    double *history; /* numbers of all rows, SI */
+    size_t capacity;
 } thermo_cell;
 
 struct thermo {
     thermo_cell *cells;
     size_t count;
     stream *file;
+    uint64_t *steps; /* of the rows */
+    size_t rows, steps_capacity;
 };
 
 thermo *thermo_create(void) {
@@ -38,8 +42,12 @@ static void release_columns(thermo *t) {
             c->release(c->self);
         free(c->name);
         free(t->cells[i].format);
+        free(t->cells[i].history);
     }
     free(t->cells);
+    free(t->steps);
+    t->steps = NULL;
+    t->rows = t->steps_capacity = 0;
     t->cells = NULL;
     t->count = 0;
 }
@@ -248,6 +256,64 @@ static int write_row(thermo *t, uint64_t step, const char *row, diag *d) {
     return stream_end(t->file, step, d);
 }
 
+/* Keeps the row; of a step that is there already, or that the scene has gone back before, what was there goes. */
+static void remember(thermo *t, uint64_t step) {
+    while (t->rows > 0 && t->steps[t->rows - 1] >= step)
+        t->rows--;
+    t->steps = alloc_grow(t->steps, &t->steps_capacity, t->rows + 1, sizeof *t->steps);
+    t->steps[t->rows] = step;
+    for (size_t i = 0; i < t->count; i++) {
+        thermo_cell *c = &t->cells[i];
+        c->history = alloc_grow(c->history, &c->capacity, t->rows + 1, sizeof *c->history);
+        c->history[t->rows] = c->column.is_text ? (double)NAN : c->last;
+    }
+    t->rows++;
+}
+
+size_t thermo_rows(const thermo *t) {
+    return t->rows;
+}
+
+const double *thermo_history(const thermo *t, size_t i) {
+    return t->cells[i].history;
+}
+
+char *thermo_save(const thermo *t, size_t *n) {
+    const uint64_t head[2] = {t->count, t->rows};
+    size_t column = t->rows * sizeof(double);
+    *n = sizeof head + t->rows * sizeof *t->steps + t->count * column;
+    char *bytes = alloc_zeroed(*n, 1), *at = bytes;
+    memcpy(at, head, sizeof head);
+    at += sizeof head;
+    if (t->rows)
+        memcpy(at, t->steps, t->rows * sizeof *t->steps);
+    at += t->rows * sizeof *t->steps;
+    for (size_t i = 0; i < t->count && t->rows; i++, at += column)
+        memcpy(at, t->cells[i].history, column);
+    return bytes;
+}
+
+bool thermo_load(thermo *t, const char *bytes, size_t n) {
+    uint64_t head[2];
+    if (n < sizeof head)
+        return false;
+    memcpy(head, bytes, sizeof head);
+    size_t rows = (size_t)head[1], column = rows * sizeof(double);
+    if (head[0] != t->count || n != sizeof head + rows * sizeof *t->steps + t->count * column)
+        return false;
+    const char *at = bytes + sizeof head;
+    t->steps = alloc_grow(t->steps, &t->steps_capacity, rows + 1, sizeof *t->steps);
+    memcpy(t->steps, at, rows * sizeof *t->steps);
+    at += rows * sizeof *t->steps;
+    for (size_t i = 0; i < t->count; i++, at += column) {
+        thermo_cell *c = &t->cells[i];
+        c->history = alloc_grow(c->history, &c->capacity, rows + 1, sizeof *c->history);
+        memcpy(c->history, at, column);
+    }
+    t->rows = rows;
+    return true;
+}
+
 int thermo_row(thermo *t, uint64_t step, thermo_put *put, void *self, diag *d) {
     char *screen_text = NULL, *row_text = NULL;
     size_t screen_size, row_size;
@@ -256,6 +322,7 @@ int thermo_row(thermo *t, uint64_t step, thermo_put *put, void *self, diag *d) {
     fclose(screen);
     fclose(row);
     if (!status) {
+        remember(t, step);
         put(self, screen_text);
         status = write_row(t, step, row_text, d);
     }

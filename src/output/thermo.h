@@ -9,6 +9,7 @@
 
 #include "engine/column.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 typedef struct thermo thermo;
@@ -48,6 +49,15 @@ int thermo_row(thermo *t, uint64_t step, thermo_put *put, void *self, diag *d);
 
 /* The scene has gone back to this step: the file loses what came after. */
 int thermo_rewind(thermo *t, uint64_t step, diag *d);
+
+/* Numbers of column i at every step it has had a row for since the columns were chosen, SI, in the order of steps; of a
+ * text: NaN. thermo_rows: how many. They belong to the table and hold until its next row. */
+size_t thermo_rows(const thermo *t);
+const double *thermo_history(const thermo *t, size_t i);
+
+/* The history as bytes, for restart files (the caller frees), and back: false when it is of other columns. */
+char *thermo_save(const thermo *t, size_t *n);
+bool thermo_load(thermo *t, const char *bytes, size_t n);
 
 /* The number in column i of the row written last, SI; NaN before the first. */
 double thermo_last(const thermo *t, size_t i);
