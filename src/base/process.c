@@ -22,7 +22,7 @@ struct process {
 
 /* 0, or the error number. */
 static int start(const char *const *words, int input, bool silent, pid_t *id) {
-    char path[] = "PATH=/usr/local/bin:/usr/bin:/bin", locale[] = "LC_ALL=C";
+    char path[] = "PATH=/usr/local/bin:/usr/bin:/bin", locale[] = "LC_ALL=C.UTF-8";
     char *environment[] = {path, locale, NULL};
     posix_spawn_file_actions_t files;
     posix_spawnattr_t how;
