@@ -7,34 +7,35 @@ if exists('b:current_syntax')
 endif
 syntax case match
 
-syntax keyword sarcinaValue age anchored bridging cells cluster clusters compactness contacts defects
-syntax keyword sarcinaValue ellipse energy filaments filial fmax founder fractal fx fy fz generation
-syntax keyword sarcinaValue gyration hull id links orientation outline parent pi quati quatj quatk quatw
+syntax keyword sarcinaValue age anchored bridging cells cluster clusters compactness contact_clusters
+syntax keyword sarcinaValue contacts coordination defects ellipse energy filaments filial fmax founder
+syntax keyword sarcinaValue fractal fx fy fz generation gyration hull id layering link_age link_strain
+syntax keyword sarcinaValue links mixing nematic orientation outline parent pi quati quatj quatk quatw
 syntax keyword sarcinaValue relaxed shapex shapey shapez speed stage strain stretch stuck thickness time
 syntax keyword sarcinaValue ux uy uz verticalised volume vx vy vz wall x y zmax zmin
 syntax match sarcinaValue /\<\%(species\)\>/
 
-syntax keyword sarcinaKeyword abs angle append approx aspect axes axis background branch ces clamp coil
-syntax keyword sarcinaKeyword color contact cvdw density diameter draw epsilon every filament file fluid
-syntax keyword sarcinaKeyword form format fps fraction g gap glide hand handover in jitter k kappa keep
-syntax keyword sarcinaKeyword legend length lognormal long map mass maxtry method normal orient origin
-syntax keyword sarcinaKeyword overlap overwrite pad particles pitch probability range rate ratio reach rel
-syntax keyword sarcinaKeyword scalebar screen sd short side size skin springs step then to tol tries
-syntax keyword sarcinaKeyword uniform until upto view where within z zoom
+syntax keyword sarcinaKeyword abs along angle append approx aspect axes axis background bins branch ces
+syntax keyword sarcinaKeyword clamp coil color contact cvdw density diameter draw epsilon every filament
+syntax keyword sarcinaKeyword file fluid form format fps fraction g gap glide hand handover hi in jitter k
+syntax keyword sarcinaKeyword kappa keep legend length lo lognormal long map mass maxtry method normal
+syntax keyword sarcinaKeyword orient origin overlap overwrite pad particles pitch probability radius range
+syntax keyword sarcinaKeyword rate ratio reach rel scalebar screen sd short side size skin springs step
+syntax keyword sarcinaKeyword then to tol tries uniform until upto view vs where within z zoom
 syntax match sarcinaKeyword /\<\%(break\|group\|grow\|relax\|units\)\>/
 
 syntax keyword sarcinaStyle INF all anchor auto balanced bend bio birth block both bs32 cividis closest
 syntax keyword sarcinaStyle coccus collision colony coolwarm csv custom cylinder damping default dlvo
 syntax keyword sarcinaStyle dopri5 draft dynamic equal error euler exponential fast first_time flexible
-syntax keyword sarcinaStyle front getenv gravity gray grid image inferno internal iso left linear list
-syntax keyword sarcinaStyle magma midpoint mother movie nearer no none now off on one out pairs paper
-syntax keyword sarcinaStyle plane planes plasma poisson povray random reference regularised remodel
-syntax keyword sarcinaStyle right rk4 rk8pd rkf45 rod si single sphere stick string top twist verlet
-syntax keyword sarcinaStyle viridis vtk xy xyz yes
+syntax keyword sarcinaStyle front getenv gravity gray grid histogram image inferno internal iso left
+syntax keyword sarcinaStyle linear list magma midpoint mother movie nearer no none now off on one out
+syntax keyword sarcinaStyle pairs paper plane planes plasma poisson povray profile r random reference
+syntax keyword sarcinaStyle regularised remodel right rk4 rk8pd rkf45 rod si single sphere stick string
+syntax keyword sarcinaStyle top twist verlet viridis vtk xy xyz yes
 syntax match sarcinaStyle /\<\%(link\|log\)\>/
 
 syntax match sarcinaFunction /\<\%(abs\|acos\|asin\|atan\|atan2\|ceil\|ci95\|cos\|count\|defined\|descends\|exp\|floor\|fraction\|hypot\|is_file\|ln\|log10\|max\|mean\|median\|min\|normal\|poisson\|quantile\|random\|round\|sd\|sign\|sin\|sqrt\|sum\|tan\|ternary\)\ze(/
-syntax match sarcinaCommand /^\s*\%(accuracy\|analyze\|apropos\|attach\|clear\|create_cells\|delete_cells\|division\|dump\|dump_modify\|echo\|edit\|expect\|expect_error\|force\|group\|grow\|growth\|help\|include\|info\|integrator\|link\|log\|neighbor\|print\|quit\|read_data\|read_restart\|region\|relax\|restart\|run\|save\|seed\|set\|shell\|show\|species\|substratum\|thermo\|thermo_modify\|thermo_style\|threads\|undo\|undump\|units\|variable\|warn\|watch\|write_data\|write_dump\|write_restart\)\ze\%(\s\|$\)/
+syntax match sarcinaCommand /^\s*\%(accuracy\|analyze\|apropos\|attach\|clear\|create_cells\|delete_cells\|division\|dump\|dump_modify\|echo\|edit\|expect\|expect_error\|force\|group\|grow\|growth\|help\|include\|info\|integrator\|link\|log\|neighbor\|plot\|print\|quit\|read_data\|read_restart\|region\|relax\|restart\|run\|save\|seed\|set\|shell\|show\|species\|substratum\|thermo\|thermo_modify\|thermo_style\|threads\|undo\|undump\|units\|variable\|warn\|watch\|write_data\|write_dump\|write_restart\)\ze\%(\s\|$\)/
 syntax match sarcinaBlock /^\s*\%(break\|continue\|elif\|else\|end\|for\|if\|repeat\|while\)\ze\%(\s\|$\)/
 
 " a number with its unit: 0.75um, 1.23/h, 1e-13N.s/m, 5%
