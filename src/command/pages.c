@@ -68,6 +68,7 @@ static const command_page pages[] = {
      "is written once.",
      "write_dump dump_modify undump"},
     {"write_dump", "Output", "Writes cells or links to a file at once", NULL, "dump"},
+    {"plot", "Output", "Draws columns of a run's table", NULL, "thermo_style analyze"},
     {"dump_modify", "Output", "Changes a dump", NULL, "dump undump"},
     {"undump", "Output", "Ends a dump", NULL, "dump dump_modify"},
     {"restart", "Restarting", "Writes restart files while a run goes on", NULL, "write_restart read_restart run"},

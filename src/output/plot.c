@@ -8,6 +8,7 @@
 #include "output/field.h"
 #include "output/readable.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -83,6 +84,22 @@ static void put_data(FILE *out, const plot_series *x, const plot_series *y, size
     fputs("EOD\n", out);
 }
 
+/* Numbers that are all the same have no range of their own. */
+static void put_range(FILE *out, const char *axis, const plot_series *all, size_t count, size_t rows, dim d) {
+    double low = INFINITY, high = -INFINITY;
+    char unit[48];
+    double divisor = readable_unit(d, unit);
+    for (size_t i = 0; i < count; i++)
+        for (size_t row = 0; row < rows; row++)
+            if (dim_equal(all[i].d, d)) {
+                low = fmin(low, all[i].values[row] / divisor);
+                high = fmax(high, all[i].values[row] / divisor);
+            }
+    double room = low == 0 ? 1 : 0.1 * fabs(low);
+    if (low == high)
+        fprintf(out, "set %s [%g:%g]\n", axis, low - room, high + room);
+}
+
 static bool has_right_side(const plot_series *y, size_t count) {
     for (size_t i = 1; i < count; i++)
         if (!dim_equal(y[i].d, y[0].d))
@@ -104,6 +121,8 @@ char *plot_script(const plot_series *x, const plot_series *y, size_t count, size
     if (right)
         fputs("set border 11\nset y2tics out scale 0.6\n", out);
     put_label(out, "xlabel", x->name, x->d);
+    put_range(out, "xrange", x, 1, rows, x->d);
+    put_range(out, "yrange", y, count, rows, y[0].d);
     put_side(out, "ylabel", y, count, false);
     put_side(out, "y2label", y, count, true);
     put_data(out, x, y, count, rows);

@@ -9,6 +9,7 @@
 #include "script/state.h"
 
 #include <math.h>
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -163,28 +164,6 @@ static bool is_lost(args *a, reader *r) {
     return a->unknown;
 }
 
-static int read_head(args *a, reader *r, diag *d) {
-    const signature *f = a->form;
-    for (size_t i = 1; i < f->nhead; i++) {
-        const slot *s = &f->head[i];
-        bool off = false;
-        if (f->off_at == i && read_off(a, r, &off, d) != SARCINA_OK)
-            return SARCINA_ERROR;
-        if (off || is_lost(a, r))
-            return SARCINA_OK;
-        if (s->kind == SLOT_LITERAL) {
-            word w;
-            if (argument_next_word(a, s, r, &w, d) != SARCINA_OK)
-                return SARCINA_ERROR;
-            reader_take(r, &w);
-        } else if (!(s->optional && reader_at_end(r)) && argument_read(a, s, &a->values[i], r, d) != SARCINA_OK) {
-            return SARCINA_ERROR;
-        }
-    }
-    bool off = false;
-    return f->off_at == f->nhead ? read_off(a, r, &off, d) : SARCINA_OK;
-}
-
 /* A keyword that must still come: what was typed in its place may have meant it. */
 static const char *missing_keyword(const args *a) {
     for (size_t i = 0; i < a->form->nkey; i++)
@@ -211,6 +190,44 @@ static int refuse_keyword(args *a, reader *r, const word *w, diag *d) {
         names_suggest(&l, w->text, "keywords", d);
     diag_place(d, reader_word_span(r, w));
     return SARCINA_ERROR;
+}
+
+/* A word of a list that is no value, and nothing but a name near that of a keyword: those end the list. */
+static int refuse_in_list(args *a, reader *r, diag *d) {
+    word w;
+    name_list l = {0};
+    for (size_t i = 0; i < a->form->nkey; i++)
+        names_add(&l, a->form->key[i].name);
+    bool name = reader_peek(r, &w, NULL) == SARCINA_OK && w.text && !w.quote;
+    for (size_t i = 0; name && i < w.n; i++)
+        name = isalpha((unsigned char)w.text[i]);
+    if (!name || !names_nearest(&l, w.text))
+        return SARCINA_ERROR;
+    if (d)
+        *d = (diag){0};
+    return refuse_keyword(a, r, &w, d);
+}
+
+static int read_head(args *a, reader *r, diag *d) {
+    const signature *f = a->form;
+    for (size_t i = 1; i < f->nhead; i++) {
+        const slot *s = &f->head[i];
+        bool off = false;
+        if (f->off_at == i && read_off(a, r, &off, d) != SARCINA_OK)
+            return SARCINA_ERROR;
+        if (off || is_lost(a, r))
+            return SARCINA_OK;
+        if (s->kind == SLOT_LITERAL) {
+            word w;
+            if (argument_next_word(a, s, r, &w, d) != SARCINA_OK)
+                return SARCINA_ERROR;
+            reader_take(r, &w);
+        } else if (!(s->optional && reader_at_end(r)) && argument_read(a, s, &a->values[i], r, d) != SARCINA_OK) {
+            return s->many && f->nkey ? refuse_in_list(a, r, d) : SARCINA_ERROR;
+        }
+    }
+    bool off = false;
+    return f->off_at == f->nhead ? read_off(a, r, &off, d) : SARCINA_OK;
 }
 
 static int read_keyword(args *a, reader *r, diag *d) {

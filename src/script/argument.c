@@ -306,7 +306,10 @@ static int read_exprs(args *a, const slot *s, argument *out, reader *r, diag *d)
         free(name);
         if (key)
             return out->n || s->optional ? SARCINA_OK : diag_error(d, "%s needs %s", a->form->head[0].name, s->name);
+        size_t start = r->at;
         status = read_expr(a, s, out, r, d);
+        if (status) /* who sees that it is no value looks whether it was to be a keyword */
+            r->at = start;
     }
     return status;
 }
