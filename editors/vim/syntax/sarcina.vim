@@ -11,17 +11,18 @@ syntax keyword sarcinaValue age anchored bridging cells cluster clusters compact
 syntax keyword sarcinaValue contacts coordination defects ellipse energy filaments filial fmax founder
 syntax keyword sarcinaValue fractal fx fy fz generation gyration hull id layering link_age link_strain
 syntax keyword sarcinaValue links mixing nematic orientation outline parent pi quati quatj quatk quatw
-syntax keyword sarcinaValue relaxed shapex shapey shapez speed stage strain stretch stuck thickness time
-syntax keyword sarcinaValue ux uy uz verticalised volume vx vy vz wall x y zmax zmin
+syntax keyword sarcinaValue relaxed shapex shapey shapez speed stage straightness strain stretch stuck
+syntax keyword sarcinaValue thickness time ux uy uz verticalised volume vx vy vz wall x y zmax zmin
 syntax match sarcinaValue /\<\%(species\)\>/
 
 syntax keyword sarcinaKeyword abs along angle append approx aspect axes axis background bins branch ces
 syntax keyword sarcinaKeyword clamp coil color contact cvdw density diameter draw epsilon every filament
 syntax keyword sarcinaKeyword file fluid form format fps fraction g gap glide hand handover hi in jitter k
 syntax keyword sarcinaKeyword kappa keep legend length lo lognormal long map mass maxtry method normal
-syntax keyword sarcinaKeyword orient origin overlap overwrite pad particles pitch probability radius range
-syntax keyword sarcinaKeyword rate ratio reach rel scalebar screen sd short side size skin springs step
-syntax keyword sarcinaKeyword then to tol tries uniform until upto view vs where within z zoom
+syntax keyword sarcinaKeyword orient origin overlap overwrite pad pairs particles pitch probability radius
+syntax keyword sarcinaKeyword range rate ratio reach rel scalebar screen sd short side size skin snap
+syntax keyword sarcinaKeyword springs step then to tol tries uniform until upto view vs where within z
+syntax keyword sarcinaKeyword zoom
 syntax match sarcinaKeyword /\<\%(break\|group\|grow\|relax\|units\)\>/
 
 syntax keyword sarcinaStyle INF all anchor auto balanced bend bio birth block both bs32 cividis closest
@@ -29,7 +30,7 @@ syntax keyword sarcinaStyle coccus collision colony coolwarm csv custom cylinder
 syntax keyword sarcinaStyle dopri5 draft dynamic equal error euler exponential fast first_time flexible
 syntax keyword sarcinaStyle front getenv gravity gray grid histogram image inferno internal iso left
 syntax keyword sarcinaStyle linear list magma midpoint mother movie nearer no none now off on one out
-syntax keyword sarcinaStyle pairs paper plane planes plasma poisson povray profile r random reference
+syntax keyword sarcinaStyle paper plane planes plasma poisson povray profile r random reference
 syntax keyword sarcinaStyle regularised remodel right rk4 rk8pd rkf45 rod si single sphere stick string
 syntax keyword sarcinaStyle top twist verlet viridis vtk xy xyz yes
 syntax match sarcinaStyle /\<\%(link\|log\)\>/
