@@ -147,7 +147,7 @@ static const char *look_up_environment(void *self, const char *name) {
 
 /* ---- life ---- */
 
-/* scripts/lib beside the program's checkout: BUILD/bin/sarcina stands two folders below it. */
+/* scripts/lib beside the program's checkout, two folders above BUILD/bin/sarcina; share/sarcina/lib where installed. */
 static char *find_library(void) {
     char path[4096];
     ssize_t n = readlink("/proc/self/exe", path, sizeof path - 1);
@@ -159,10 +159,13 @@ static char *find_library(void) {
         if (!slash)
             return NULL;
         *slash = '\0';
-        char *library = alloc_format("%s/scripts/lib", path);
-        if (access(library, R_OK) == 0)
-            return library;
-        free(library);
+        static const char *const places[] = {"scripts/lib", "share/sarcina/lib"};
+        for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+            char *library = alloc_format("%s/%s", path, places[i]);
+            if (access(library, R_OK) == 0)
+                return library;
+            free(library);
+        }
     }
     return NULL;
 }

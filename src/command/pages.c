@@ -18,7 +18,6 @@ static const command_page pages[] = {
      "where it is a distribution. Mother and daughter have half the mass each; the mother keeps her id, daughters "
      "count on; the daughter draws her own diameter.",
      "growth species run"},
-    {"attach", "Model", "Lets cells arrive from outside at a rate", NULL, "create_cells region run"},
     {"substratum", "Model", "Puts a plane under the scene",
      "The bulk is above it. Without it space is open on all sides.", "force region"},
     {"force", "Model", "Switches a force on, and sets its parameters",
@@ -36,7 +35,7 @@ static const command_page pages[] = {
      "expressions.",
      "region delete_cells analyze"},
     {"create_cells", "Scene", "Puts new cells into the scene", "All of them or none.", "species region set"},
-    {"attach", "Scene", "Lets cells arrive at a rate", NULL, "create_cells region run"},
+    {"attach", "Scene", "Lets cells arrive from outside at a rate", NULL, "create_cells region run"},
     {"delete_cells", "Scene", "Takes cells out", "Their links go with them.", "create_cells set"},
     {"set", "Scene", "Sets a property of cells from a formula", NULL, "create_cells delete_cells variable"},
     {"clear", "Scene", "Empties the scene", NULL, "read_restart"},
@@ -85,16 +84,16 @@ static const command_page pages[] = {
     {"help", "Program", "Explains commands, values, functions and the language", NULL, "apropos info"},
     {"apropos", "Program", "Finds what has to do with a word", NULL, "help"},
     {"info", "Program", "Tells what is in the scene, or where the time went", NULL, "help log"},
-    {"undo", "Prompt", "Takes back the last command", NULL, "save clear"},
-    {"save", "Prompt", "Writes the session as a script", NULL, "undo write_restart"},
-    {"show", "Prompt", "Draws the colony in the terminal", NULL, "watch write_dump"},
-    {"watch", "Prompt", "Shows the colony or values while a run goes on", NULL, "show thermo"},
-    {"edit", "Prompt", "Opens the last command in an editor and runs it", NULL, "undo"},
     {"echo", "Program", "Shows commands as they run", NULL, "log"},
     {"log", "Program", "Chooses the log file", NULL, "echo print"},
     {"warn", "Program", "Sets what happens to warnings", NULL, "log"},
     {"shell", "Program", "Runs a command of the system", NULL, "log"},
     {"quit", "Program", "Ends the script or the session", NULL, "clear"},
+    {"undo", "Prompt", "Takes back the last command", NULL, "save clear"},
+    {"save", "Prompt", "Writes the session as a script", NULL, "undo write_restart"},
+    {"show", "Prompt", "Draws the colony in the terminal", NULL, "watch write_dump"},
+    {"watch", "Prompt", "Shows the colony or values while a run goes on", NULL, "show thermo"},
+    {"edit", "Prompt", "Opens the last command in an editor and runs it", NULL, "undo"},
 };
 
 static const char prelude[] = "species       ecoli rod diameter 0.75um\n"

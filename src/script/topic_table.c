@@ -33,7 +33,10 @@ bool topic_row_dimension(size_t i, page *name, page *text) {
     size_t n = units_usual(d, usual, TABLE_COUNT(usual));
     if (strcmp(dimension, "angle") != 0 && dim_is_none(d))
         n = 0;
+    char suffix[48];
     page_put(name, "%s", dimension);
+    if (n == 0)
+        page_put(text, "%s", dim_suffix(d, suffix));
     for (size_t k = 0; k < n; k++)
         page_put(text, "%s%s", k ? ", " : "", usual[k]);
     return true;

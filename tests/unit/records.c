@@ -337,6 +337,13 @@ static void test_help(void **state) {
     for (size_t i = 0; i < t->npages; i++)
         if (!is_command(t->pages[i].name))
             printf("src/command/pages.c: there is no command %s\n", t->pages[i].name), wrong++;
+    for (size_t i = 0; i < t->npages; i++)
+        for (size_t k = 0; k < i; k++) {
+            bool split = strcmp(t->pages[i].topic, t->pages[k].topic) == 0 &&
+                         strcmp(t->pages[i].topic, t->pages[i - 1].topic) != 0;
+            if (split || strcmp(t->pages[i].name, t->pages[k].name) == 0)
+                printf("src/command/pages.c: %s stands twice, or its topic does\n", t->pages[i].name), wrong++;
+        }
     printf("help and pages: %zu commands, %zu forms, %zu words in man/, %zu values, functions, blocks and topics; %zu "
            "wrong\n",
            commands, styles, words, others, wrong);

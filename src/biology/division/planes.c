@@ -120,7 +120,7 @@ const division_style division_planes = {
     .summary = "a coccus divides in one plane, or in two or three in turn",
     .source = "Storck et al. 2014, growth and division",
     .example = "division cf planes 3 mass 6e-16kg jitter 0 axis x\n"
-               "division cf planes 2 diameter 1um",
+               "division cf planes 2 diameter 1um pairs yes",
     .shapes = DIVISION_COCCI,
     .params = params,
     .nparams = TABLE_COUNT(params),
