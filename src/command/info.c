@@ -124,11 +124,9 @@ static void show_timing(interp *in) {
     const struct {
         const char *stage;
         double seconds;
-    } rows[] = {{"grow", t->grow},
-                {"divide", t->divide},
-                {"forces", t->force},
-                {"neighbours", t->build},
-                {"integrate", t->relax - t->force - t->build},
+    } rows[] = {{"grow", t->grow},       {"divide", t->divide},
+                {"forces", t->force},    {"neighbours", t->build},
+                {"remodel", t->remodel}, {"integrate", t->relax - t->force - t->build - t->remodel},
                 {"output", t->output}};
     double sum = 0;
     for (size_t i = 0; i < TABLE_COUNT(rows); i++)

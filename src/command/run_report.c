@@ -79,6 +79,7 @@ static void put_stage(interp *in, const char *name, double seconds, double wall)
 static void put_stages(interp *in, const run_report *r, double wall) {
     const scene_timing *now = &interp_scene(in)->timing, *from = &r->timing;
     double force = now->force - from->force, build = now->build - from->build;
+    double remodel = now->remodel - from->remodel;
     const struct {
         const char *name;
         double seconds;
@@ -86,7 +87,8 @@ static void put_stages(interp *in, const run_report *r, double wall) {
                   {"Divide", now->divide - from->divide},
                   {"Force", force},
                   {"Neigh", build},
-                  {"Relax", now->relax - from->relax - force - build},
+                  {"Remodel", remodel},
+                  {"Relax", now->relax - from->relax - force - build - remodel},
                   {"Output", now->output - from->output}};
     double other = wall;
     interp_log(in, "\nMPI task timing breakdown:\nSection |  min time  |  avg time  |  max time  |%%varavg| %%total\n"

@@ -65,6 +65,7 @@ static void note_relaxation(scene *s, const mechanics_stats *from, const relax_r
     scene_tally *t = &s->tally;
     s->timing.force += now.force_seconds - from->force_seconds;
     s->timing.build += now.build_seconds - from->build_seconds;
+    s->timing.remodel += r->remodel_seconds;
     t->by_time += r->stop == RELAX_TIME;
     t->by_force += r->stop == RELAX_FORCE;
     t->steps += r->steps;

@@ -49,9 +49,9 @@ typedef struct attachment_table {
     uint64_t arrived, crowded; /* cells that did, and those that found no place */
 } attachment_table;
 
-/* Seconds of wall time by stage; force and build are parts of relax; output is added by who writes it. */
+/* Seconds of wall time by stage; force, build and remodel are parts of relax; output is added by who writes it. */
 typedef struct scene_timing {
-    double grow, divide, relax, force, build, output, total;
+    double grow, divide, relax, force, build, remodel, output, total;
 } scene_timing;
 
 /* What the relaxations of a scene took. */

@@ -7,6 +7,7 @@
 #include "relax/integrator.h"
 
 #include <math.h>
+#include <omp.h>
 #include <stdlib.h>
 
 /* Largest net force on a particle at the present state. */
@@ -63,7 +64,10 @@ static bool is_over(run *r) {
 /* Lets links form and break, at fixed times so that what forms does not depend on the integrator's steps. */
 static void remodel(run *r) {
     remodel_change change;
-    if (mechanics_remodel(r->mo.m, &change))
+    double begin = omp_get_wtime(), built = mechanics_statistics(r->mo.m).build_seconds;
+    bool changed = mechanics_remodel(r->mo.m, &change);
+    r->result->remodel_seconds += omp_get_wtime() - begin - (mechanics_statistics(r->mo.m).build_seconds - built);
+    if (changed)
         r->style->renew(r->method, change.stiffness);
 }
 
