@@ -9,6 +9,7 @@
 #include <errno.h>
 #include <gsl/gsl_errno.h>
 #include <inttypes.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,9 +23,13 @@ static void on_interrupt(int signal_number) {
     if (interrupted > patient) { /* it is not being looked at */
         signal(signal_number, SIG_DFL);
         raise(signal_number);
+        return;
     }
-    if (interrupted && write(STDERR_FILENO, warning, sizeof warning - 1) < 0)
-        signal(signal_number, SIG_DFL);
+    if (interrupted) {
+        poll(NULL, 0, 50); /* the terminal drops output that comes as it answers Ctrl-C */
+        if (write(STDERR_FILENO, warning, sizeof warning - 1) < 0)
+            signal(signal_number, SIG_DFL);
+    }
     interrupted++;
 }
 

@@ -26,6 +26,7 @@
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -181,6 +182,13 @@ static void start(const char *command) {
         if (asprintf(&line, "exec %s", command) > 0)
             execl("/bin/sh", "sh", "-c", line, (char *)NULL);
         _exit(127);
+    }
+    /* a terminal that answers Ctrl-C drops what is printed and typed at that very moment: what is waited for, perhaps
+     */
+    struct termios modes;
+    if (tcgetattr(s.terminal, &modes) == 0) {
+        modes.c_lflag |= NOFLSH;
+        tcsetattr(s.terminal, TCSANOW, &modes);
     }
 }
 
