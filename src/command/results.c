@@ -50,16 +50,24 @@ static void put_value(const row *r, const char *name, dim d, double si) {
     put_number(r->out, si);
 }
 
-static void put_analysis(interp *in, const row *r, const output_analysis *p) {
+static bool is_column(const thermo *t, const char *name) {
+    for (size_t i = 0; i < thermo_count(t); i++)
+        if (strcmp(thermo_column(t, i)->name, name) == 0)
+            return true;
+    return false;
+}
+
+/* A quantity that is a column too is there already: twice, it would count twice in an ensemble's mean. */
+static void put_analysis(interp *in, const thermo *t, const row *r, const output_analysis *p) {
     quantity q;
-    if (value_of(in, p->id, &q))
+    if (!is_column(t, p->id) && value_of(in, p->id, &q))
         put_value(r, p->id, q.d, q.si);
     for (size_t i = 0; i < value_field_count(p->style); i++) {
         char field[32];
         dim d;
         value_field(p->style, i, field, &d);
         char *name = alloc_format("%s.%s", p->id, field);
-        if (value_of(in, name, &q))
+        if (!is_column(t, name) && value_of(in, name, &q))
             put_value(r, name, q.d, q.si);
         free(name);
     }
@@ -93,7 +101,7 @@ int results_row(outputs *o, diag *d) {
     }
     for (size_t i = 0; i < o->nanalyses; i++)
         if (o->analyses[i].style)
-            put_analysis(o->in, &r, &o->analyses[i]);
+            put_analysis(o->in, o->table, &r, &o->analyses[i]);
     return stream_end(o->results, s->step, d);
 }
 
