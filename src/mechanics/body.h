@@ -23,7 +23,7 @@ typedef struct body {
     bool chained;      /* a segment of a flexible cell */
     double radius;     /* um */
     double rest;       /* rest length between its ends, um; 0 for a coccus */
-    double internal_k; /* of the spring between them, pg/s2; 0: none */
+    double internal_k; /* of a rod's spring, pg/s2; 0: none, or a chain's, which has its own */
     double density;    /* pg/um3 */
 } body;
 

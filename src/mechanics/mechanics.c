@@ -157,7 +157,7 @@ static void bind_cell(mechanics *m, uint32_t row, uint32_t rank) {
                                      .chained = n > 2,
                                      .radius = 0.5 * c->cell.diameter[row],
                                      .rest = n > 2 ? species_segment(s, c->cell.rest[row]) : c->cell.rest[row],
-                                     .internal_k = s->internal_k,
+                                     .internal_k = n > 2 ? 0 : s->internal_k,
                                      .density = s->density};
 }
 
@@ -272,6 +272,7 @@ static void bind(mechanics *m, const mechanics_input *in) {
             m->forces.term[FORCE_INTERNAL].on = true;
     m->forces.term[FORCE_BEND].on = m->forces.term[FORCE_TWIST].on = false;
     for (size_t i = 0; i < m->nchains; i++) {
+        m->forces.term[FORCE_INTERNAL].on |= m->chains[i].internal_k > 0;
         m->forces.term[FORCE_BEND].on |= m->chains[i].bend_k > 0;
         m->forces.term[FORCE_TWIST].on |= m->chains[i].twist_k > 0;
     }

@@ -26,7 +26,7 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
     (void)p;
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &at->bodies[slot];
-        if (b->count != 2 || b->internal_k == 0 || b->chained)
+        if (b->count != 2 || b->internal_k == 0)
             continue;
         double d[3], factor = pull(at, b, d), *out = f + 3 * (size_t)b->first;
         for (int i = 0; i < 3; i++) {
@@ -39,7 +39,7 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
 static double energy(const double *p, const force_frame *at, size_t slot) {
     (void)p;
     const body *b = &at->bodies[slot];
-    if (b->count != 2 || b->internal_k == 0 || b->chained)
+    if (b->count != 2 || b->internal_k == 0)
         return 0;
     const double *x = at->x + 3 * (size_t)b->first;
     double stretch = vec3_norm(vec3_sub(vec3_load(x + 3), vec3_load(x))) - b->rest;
@@ -49,7 +49,7 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
 static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
     (void)p;
     const body *b = &at->bodies[slot];
-    if (b->count != 2 || b->internal_k == 0 || b->chained)
+    if (b->count != 2 || b->internal_k == 0)
         return;
     stiff_spring *s = force_spring_add(out);
     const double *x = at->x + 3 * (size_t)b->first;
