@@ -118,8 +118,9 @@ void division_draw_size(const species *s, colony *c, uint32_t row, rng *r) {
 static uint32_t add_daughter(const division_context *x, uint32_t mother) {
     colony *c = x->colony;
     const species *s = &x->species->list[c->cell.species[mother]];
-    double place[6] = {0};
+    double *place = alloc_zeroed(3 * species_particles(s), sizeof *place);
     uint32_t daughter = colony_add_cell(c, species_particles(s), place);
+    free(place);
     c->cell.parent[daughter] = c->cell.id[mother];
     c->cell.founder[daughter] = c->cell.founder[mother];
     c->cell.species[daughter] = c->cell.species[mother];
