@@ -14,9 +14,6 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Compiled once for scenes with chains and once for those without, which pay nothing for them. */
-#define ALWAYS_INLINE static inline __attribute__((always_inline))
-
 static contact_law_values law_of(const double *p) {
     bool regularised = (contact_law)p[COLLISION_CONTACT] == CONTACT_REGULARISED;
     return (contact_law_values){p[COLLISION_K], p[COLLISION_REACH], regularised ? p[COLLISION_EPSILON] : 0};
@@ -76,10 +73,10 @@ static void begin_row(stream *s) {
 
 /* Gives the owner the sum of its row, and goes on to the next. The last particle of a chain's segment belongs to the
  * next one: its share waits there until all bodies are done. */
-ALWAYS_INLINE void end_row(stream *s, bool chains) {
+static void end_row(stream *s) {
     const body *owner = &s->at->bodies[s->slot];
     double *first = s->f + 3 * (size_t)owner->first, *last = first + 3 * (size_t)(owner->count - 1);
-    if (chains && owner->chained) {
+    if (owner->chained) {
         last = s->at->shares + 3 * (size_t)(owner->first + 1);
         last[0] = last[1] = last[2] = 0;
     }
@@ -107,7 +104,7 @@ static void sum_entries(stream *s, size_t begin, size_t end) {
 }
 
 /* Computes and sums n entries from `begin` on. */
-ALWAYS_INLINE void pass(stream *s, size_t begin, size_t n, bool chains) {
+static void pass(stream *s, size_t begin, size_t n) {
     const contact_kernel *kernel = s->at->kernel;
     neighbor_pairs(s->at->neighbor, s->at->bodies, begin, n, s->first_buffer, s->second_buffer, &s->first, &s->second);
     load(s, n);
@@ -115,14 +112,14 @@ ALWAYS_INLINE void pass(stream *s, size_t begin, size_t n, bool chains) {
         push_coincident(s, n);
     for (size_t entry = begin; entry < begin + n;) {
         while (s->row_end == entry)
-            end_row(s, chains);
+            end_row(s);
         size_t stop = s->row_end < begin + n ? s->row_end : begin + n;
         sum_entries(s, entry - begin, stop - begin);
         entry = stop;
     }
 }
 
-ALWAYS_INLINE void add_rows(const double *p, const force_frame *at, size_t begin, size_t end, double *f, bool chains) {
+static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
     stream s;
     s.at = at;
     s.f = f;
@@ -131,16 +128,9 @@ ALWAYS_INLINE void add_rows(const double *p, const force_frame *at, size_t begin
     begin_row(&s);
     size_t entry = neighbor_start(at->neighbor, begin), stop = neighbor_start(at->neighbor, end);
     for (; entry < stop; entry += KERNEL_BATCH)
-        pass(&s, entry, stop - entry < KERNEL_BATCH ? stop - entry : KERNEL_BATCH, chains);
+        pass(&s, entry, stop - entry < KERNEL_BATCH ? stop - entry : KERNEL_BATCH);
     while (s.slot < end)
-        end_row(&s, chains);
-}
-
-static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
-    if (at->nchains)
-        add_rows(p, at, begin, end, f, true);
-    else
-        add_rows(p, at, begin, end, f, false);
+        end_row(&s);
 }
 
 /* The owners of a chain's particles take the shares that its segments left for them. */
