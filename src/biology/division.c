@@ -128,6 +128,8 @@ static uint32_t add_daughter(const division_context *x, uint32_t mother) {
     c->cell.generation[daughter] = ++c->cell.generation[mother];
     c->cell.birth[daughter] = x->time;
     c->cell.rate[daughter] = c->cell.rate[mother];
+    c->cell.own_rate[daughter] = c->cell.own_rate[mother];
+    c->cell.stiffness[daughter] = c->cell.stiffness[mother];
     c->cell.mass[daughter] = c->cell.mass[mother] /= 2;
     division_draw_size(s, c, daughter, x->rng);
     species_shape_cell(s, c, mother);

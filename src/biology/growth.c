@@ -51,7 +51,8 @@ int growth_step(colony *c, const species_table *t, rng *r, uint64_t step, double
         rate[i] = c->cell.rate[i];
         if (law->style < 0)
             continue;
-        rate[i] = draw_rate(law, r, c->cell.id[i], step);
+        if (!c->cell.own_rate[i])
+            rate[i] = draw_rate(law, r, c->cell.id[i], step);
         mass[i] = growth_styles[law->style].mass_after(mass[i], rate[i], dt);
         if (!(mass[i] > 0) || !isfinite(mass[i])) {
             status = diag_fail(d, SARCINA_NUMERICAL,

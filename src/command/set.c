@@ -7,10 +7,12 @@
 #include "base/alloc.h"
 #include "base/table.h"
 #include "biology/division.h"
+#include "biology/growth.h"
 #include "model/shape.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 typedef enum {
     KEY_X,
@@ -22,23 +24,29 @@ typedef enum {
     KEY_MASS,
     KEY_DIAMETER,
     KEY_GENERATION,
+    KEY_RATE,
+    KEY_STIFFNESS,
     KEY_SPECIES
 } set_key;
 
-static const char *const dimensions[] = {"length",   "length", "length", "velocity", "velocity",
-                                         "velocity", "mass",   "length", "number"};
+static const char *const dimensions[] = {"length", "length", "length", "velocity", "velocity", "velocity",
+                                         "mass",   "length", "number", "rate",     "stiffness"};
 
 static int check_value(const scene *s, set_key key, uint32_t row, double value, diag *d) {
     unsigned long long id = s->colony->cell.id[row];
     const species *sp = &s->species.list[s->colony->cell.species[row]];
     if (!isfinite(value))
         return diag_error(d, "the value of cell %llu is not finite", id);
-    if ((key == KEY_MASS || key == KEY_DIAMETER) && !(value > 0))
+    if ((key == KEY_MASS || key == KEY_DIAMETER || key == KEY_STIFFNESS) && !(value > 0))
         return diag_error(d, "the value of cell %llu must be more than 0", id);
     if (key == KEY_DIAMETER && s->colony->cell.aspect[row] > 0)
         return diag_error(d, "the diameter of cell %llu of %s follows from its mass (aspect)", id, sp->name);
     if (key == KEY_GENERATION && (value < 0 || value != floor(value) || value > INT32_MAX))
         return diag_error(d, "the generation of cell %llu must be a whole number from 0", id);
+    if (key == KEY_RATE && (sp->growth.style < 0 || strcmp(growth_styles[sp->growth.style].name, "exponential") != 0))
+        return diag_error(d, "cell %llu of %s has no rate to set: it does not grow exponentially", id, sp->name);
+    if (key == KEY_STIFFNESS && !(sp->internal_k > 0))
+        return diag_error(d, "cell %llu of %s has no spring inside to set (link internal)", id, sp->name);
     return SARCINA_OK;
 }
 
@@ -77,6 +85,13 @@ static void set_value(scene *s, set_key key, uint32_t row, double value) {
         break;
     case KEY_GENERATION:
         c->cell.generation[row] = (int32_t)value;
+        return;
+    case KEY_RATE:
+        c->cell.rate[row] = value;
+        c->cell.own_rate[row] = 1;
+        return;
+    case KEY_STIFFNESS:
+        c->cell.stiffness[row] = value;
         return;
     case KEY_SPECIES:
         return; /* set_species */
@@ -138,6 +153,7 @@ static int apply_species(interp *in, const args *a, const bool *flags, diag *d) 
             set_species(s, i, to);
     if (status)
         diag_place(d, args_span(a, "VALUE"));
+    scene_refresh_links(s); /* by the rules of the new species */
     s->colony->version++;
     return status;
 }
@@ -167,19 +183,21 @@ static int run_set(interp *in, const args *a, diag *d) {
 
 static const param params[] = {
     {"GROUP:group", "of these: all, a species, a region, a group"},
-    {"KEY:{x|y|z|vx|vy|vz|mass|diameter|generation|species}", "what is set; x, y, z move the cell's centre"},
+    {"KEY:{x|y|z|vx|vy|vz|mass|diameter|generation|rate|stiffness|species}",
+     "what is set; x, y, z move the cell's centre"},
     {"VALUE:cell", "a formula per cell, one word; of species the name of one"},
     {"where:cellexpr", "only those for which this holds"},
 };
 
 static const command_form forms[] = {
-    {"set GROUP:group KEY:{x|y|z|vx|vy|vz|mass|diameter|generation|species} VALUE:cell", params, TABLE_COUNT(params),
-     "Sets a property of cells from a formula",
+    {"set GROUP:group KEY:{x|y|z|vx|vy|vz|mass|diameter|generation|rate|stiffness|species} VALUE:cell", params,
+     TABLE_COUNT(params), "Sets a property of cells from a formula",
      "Every value is computed before the first is set. A cell whose species is set must have the shape of the new "
-     "one; it keeps its mass, and grows, divides and is sized as its new kind.",
+     "one; it keeps its mass, and grows, divides and is sized as its new kind. A rate or stiffness (of the spring "
+     "inside a rod) that was set is the cell's own from then on, and its daughters'.",
      "set all z z+1um\nset all x 1.1*x\nset all y 0.9*y\nset all vx 0\nset all vy 0\nset all vz 1e-6\n"
      "set cf generation 0\nspecies pink coccus\nset cf species 'pink'\nset ecoli diameter 0.8um\nset ecoli mass "
-     "1.1*mass where stage < 0.8",
+     "1.1*mass where stage < 0.8\nset ecoli rate 0.6/1h\nset ecoli stiffness 1e-10N/1m",
      0, run_set, NULL, 0},
 };
 

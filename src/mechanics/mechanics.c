@@ -96,6 +96,7 @@ static void take_image(state_image *image, const mechanics_input *in) {
     }
     image_add(image, c->cell.species, c->cell.count * sizeof *c->cell.species);
     image_add(image, c->cell.mass, c->cell.count * sizeof *c->cell.mass);
+    image_add(image, c->cell.stiffness, c->cell.count * sizeof *c->cell.stiffness);
     image_add(image, c->cell.diameter, c->cell.count * sizeof *c->cell.diameter);
     image_add(image, c->cell.rest, c->cell.count * sizeof *c->cell.rest);
     image_add(image, c->spring.a, c->spring.count * sizeof *c->spring.a);
@@ -157,7 +158,7 @@ static void bind_cell(mechanics *m, uint32_t row, uint32_t rank) {
                                      .chained = n > 2,
                                      .radius = 0.5 * c->cell.diameter[row],
                                      .rest = n > 2 ? species_segment(s, c->cell.rest[row]) : c->cell.rest[row],
-                                     .internal_k = n > 2 ? 0 : s->internal_k,
+                                     .internal_k = n > 2 ? 0 : species_stiffness(s, c, row),
                                      .density = s->density};
 }
 
@@ -173,7 +174,7 @@ static void bind_chain(mechanics *m, uint32_t row) {
                   .count = c->cell.nparticles[row],
                   .radius = 0.5 * c->cell.diameter[row],
                   .rest = species_segment(s, c->cell.rest[row]),
-                  .internal_k = s->internal_k,
+                  .internal_k = species_stiffness(s, c, row),
                   .bend_k = s->bend_k,
                   .twist_k = s->twist_k};
     species_rest_angles(s, c->cell.rest[row], &ch->theta, &ch->cos_phi, &ch->sin_phi);

@@ -49,6 +49,10 @@ void species_rest_angles(const species *s, double rest, double *theta, double *c
     }
 }
 
+double species_stiffness(const species *s, const colony *c, uint32_t row) {
+    return s->internal_k > 0 && c->cell.stiffness[row] > 0 ? c->cell.stiffness[row] : s->internal_k;
+}
+
 double species_rest(const species *s, double mass, double diameter, double aspect) {
     if (s->shape == SHAPE_COCCUS)
         return 0;

@@ -60,6 +60,9 @@ const char *species_shape_name(shape_kind shape);
 /* Rest length a rod of this mass would have, with diameter d (fixed diameter) or aspect a (a > 0). */
 double species_rest(const species *s, double mass, double diameter, double aspect);
 
+/* Constant of the springs inside a cell: its own, or that of the species; 0: the script has not named any. pg/s2. */
+double species_stiffness(const species *s, const colony *c, uint32_t row);
+
 /* Particles a cell of this species has. */
 size_t species_particles(const species *s);
 

@@ -24,11 +24,11 @@ static void add(maker *m, const spring_item *item) {
     s->strain = s->rest > 0 ? (s->length - s->rest) / s->rest : (double)NAN;
 }
 
-/* The springs inside a cell; k is that of its species. */
+/* The springs inside a cell. */
 static void add_internal(maker *m, uint32_t row) {
     const colony *c = m->f->view->colony;
     uint32_t n = c->cell.nparticles[row];
-    double k = m->f->view->species->list[c->cell.species[row]].internal_k;
+    double k = species_stiffness(&m->f->view->species->list[c->cell.species[row]], c, row);
     const double *x = c->particle.x + 3 * (size_t)c->cell.first[row];
     for (uint32_t p = 0; p + 1 < n && k > 0; p++, x += 3) {
         vec3 from = vec3_load(x), to = vec3_load(x + 3);

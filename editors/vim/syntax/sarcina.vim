@@ -31,8 +31,8 @@ syntax keyword sarcinaStyle dopri5 draft dynamic equal error euler exponential f
 syntax keyword sarcinaStyle front getenv gravity gray grid histogram image inferno internal iso left
 syntax keyword sarcinaStyle linear list magma midpoint mother movie nearer no none now off on one out
 syntax keyword sarcinaStyle paper plane planes plasma poisson povray profile r random reference
-syntax keyword sarcinaStyle regularised remodel right rk4 rk8pd rkf45 rod si single sphere stick string
-syntax keyword sarcinaStyle top twist verlet viridis vtk xy xyz yes
+syntax keyword sarcinaStyle regularised remodel right rk4 rk8pd rkf45 rod si single sphere stick
+syntax keyword sarcinaStyle stiffness string top twist verlet viridis vtk xy xyz yes
 syntax match sarcinaStyle /\<\%(link\|log\)\>/
 
 syntax match sarcinaFunction /\<\%(abs\|acos\|asin\|atan\|atan2\|ceil\|ci95\|cos\|count\|defined\|descends\|exp\|floor\|fraction\|hypot\|is_file\|ln\|log10\|max\|mean\|median\|min\|normal\|poisson\|quantile\|random\|round\|sd\|sign\|sin\|sqrt\|sum\|tan\|ternary\)\ze(/
