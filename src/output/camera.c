@@ -5,8 +5,8 @@
 
 const camera_view camera_views[] = {
     {"top", "from above: x to the right, y up", 0, -M_PI / 2},
-    {"side", "along y: x to the right, z up", M_PI / 2, -M_PI / 2},
-    {"front", "along -x: y to the right, z up", M_PI / 2, 0},
+    {"side", "along -x: y to the right, z up", M_PI / 2, 0},
+    {"front", "along y: x to the right, z up", M_PI / 2, -M_PI / 2},
     {"iso", "along the space diagonal: all three axes equally long", 0.95531661812450928, -M_PI / 4},
 };
 const int camera_view_count = sizeof camera_views / sizeof camera_views[0];

@@ -171,10 +171,10 @@ static void test_a_ball_is_a_disc(void **state) {
     }
 }
 
-/* A rod of length 6 and diameter 1 lying along x: seen whole from above and the side, end-on from the front. */
+/* A rod of length 6 and diameter 1 lying along x: seen whole from above and the front, end-on from the side. */
 static void test_a_rod_is_a_capsule(void **state) {
     (void)state;
-    const double widths[] = {6, 6, 1}, heights[] = {1, 1, 1};
+    const double widths[] = {6, 1, 6}, heights[] = {1, 1, 1};
     for (int from = 0; from < 3; from++) {
         culture k = make();
         output_column column;
