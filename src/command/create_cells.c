@@ -37,7 +37,8 @@ static int read_placement(interp *in, const args *a, placement *p, diag *d) {
                      .gap = args_given(a, "gap") ? args_number(a, "gap") : (double)NAN,
                      .overlap = args_flag(a, "overlap"),
                      .filament = (int)args_int(a, "filament"),
-                     .maxtry = (int)args_int(a, "maxtry")};
+                     .maxtry = (int)args_int(a, "maxtry"),
+                     .may_fail = session_of(in)->in_every};
     p->orient = args_orient(a, "orient", p->axis);
     return read_mass(interp_scene(in), a, p->species, &p->mass, d);
 }
@@ -45,6 +46,10 @@ static int read_placement(interp *in, const args *a, placement *p, diag *d) {
 /* New cells stand behind those that were there, and join their group. */
 static void finish(interp *in, const args *a, const placement *p, size_t created) {
     const scene *s = interp_scene(in);
+    if (created == 0) {
+        interp_warn(in, "no room for cells of %s; none was created", s->species.list[p->species].name);
+        return;
+    }
     int bit = args_given(a, "group") ? session_define_group(in, args_text(a, "group")) : -1;
     for (size_t row = s->colony->cell.count - created; row < s->colony->cell.count && bit >= 0; row++)
         s->colony->cell.groups[row] |= UINT64_C(1) << bit;
@@ -199,7 +204,8 @@ static const param file_params[] = {
 
 #define ALL_OR_NONE                                                                                                    \
     "All of them or none: when there is no room the scene is as before. Room is judged by the cells' own surfaces; "   \
-    "'overlap yes' asks for none."
+    "'overlap yes' asks for none. In a command of 'run ... every' cells come as by attach: where there is no room at "   \
+    "random places none is created, with a warning, and the run goes on."
 
 static const command_form forms[] = {
     {.head = "create_cells NAME:species single X:length Y:length Z:length",

@@ -76,8 +76,10 @@ static int run_every(interp *in, const plan *p, double before, diag *d) {
         args_cycles_value every = args_every(p->a, "every", i, &commands, &n);
         if (!outputs_due(every, s->step, before, s->time))
             continue;
+        session_of(in)->in_every = true;
         for (size_t k = 0; k < n && !status; k++)
             status = interp_run_text(in, commands[k], d);
+        session_of(in)->in_every = false;
     }
     echo_mode now = interp_set_echo(in, echo);
     if (now != ECHO_NONE) /* one of them said otherwise */

@@ -304,17 +304,19 @@ int scene_create_random(scene *s, const placement *p, size_t n, const region *wh
             status = diag_fail(d, SARCINA_INTERRUPTED, "interrupted after %zu of %zu cells; none was created", i, n);
             break;
         }
-        gsl_rng *stream = rng_stream(s->rng, RNG_CREATE, s->colony->next_cell_id, 0);
+        /* two streams a growth step: one that found no room is not tried again at the same places */
+        gsl_rng *stream = rng_stream(s->rng, RNG_CREATE, s->colony->next_cell_id, 2 * s->growth_steps);
         double mass = draw_mass(p, stream);
         new_group g = add_group(s, p, p->species, mass, NAN);
         /* add_group has drawn from other streams: open this one again behind the mass */
-        stream = rng_stream(s->rng, RNG_CREATE, s->colony->cell.id[g.first], 1);
+        stream = rng_stream(s->rng, RNG_CREATE, s->colony->cell.id[g.first], 2 * s->growth_steps + 1);
         if (find_place(s, p, g, where, apart, stream)) {
             link_group(s, g);
             continue;
         }
         return_to(s, m);
-        status = apart ? no_spot(i, n, where, spacing, p->maxtry, d) : no_room(i + 1, n, p->maxtry, d);
+        if (!p->may_fail)
+            status = apart ? no_spot(i, n, where, spacing, p->maxtry, d) : no_room(i + 1, n, p->maxtry, d);
         break;
     }
     spots_free(apart);

@@ -31,6 +31,7 @@ typedef struct placement {
     bool overlap;   /* may it overlap what is there (and what is created with it)? */
     int filament;   /* a straight chain of this many cells, linked filially, takes the place of each; 0, 1: one */
     int maxtry;     /* draws of a place before giving up */
+    bool may_fail;  /* that there is no room for cells at random places is no error: none is created */
 } placement;
 
 /* Cells of a species that arrive in a region at a rate. */
