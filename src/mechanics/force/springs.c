@@ -41,6 +41,9 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
     (void)p;
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &at->bodies[slot];
+        const uint32_t *start = at->springs->start + b->first;
+        if (start[0] == start[b->owned])
+            continue; /* no spring ends here */
         for (uint32_t i = b->first; i < b->first + b->owned; i++)
             add_particle(at, b, i, f);
     }
