@@ -152,19 +152,19 @@ static int prepare(program *host, const options *o, plan *p, diag *d) {
 /* Does what is missing (nothing after an error: ranks that wait for work are released). */
 static void run_missing(progress *g, const options *o, const worker_job *jobs, bool prepared) {
     plan *p = g->plan;
-    size_t *todo = alloc_zeroed(p->nruns, sizeof *todo);
+    size_t *due = alloc_zeroed(p->nruns, sizeof *due);
     for (size_t i = 0; i < p->nruns && prepared; i++)
         if (p->runs[i].state != RUN_DONE)
-            todo[g->total++] = i;
+            due[g->total++] = i;
     worker_host host = {g, ended, draw, stopped};
     int ranks = workers_mpi_ranks();
     g->at_once = ranks > 1 ? ranks : o->workers ? o->workers : cores();
     if (ranks > 1)
-        workers_mpi_run(jobs, todo, g->total, &host);
+        workers_mpi_run(jobs, due, g->total, &host);
     else
-        workers_run(jobs, todo, g->total, g->at_once, &host);
+        workers_run(jobs, due, g->total, g->at_once, &host);
     clear_line(g);
-    free(todo);
+    free(due);
 }
 
 static int conclude(const progress *g, diag *d) {

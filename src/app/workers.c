@@ -85,19 +85,19 @@ void workers_pause(void) {
     nanosleep(&(struct timespec){.tv_nsec = PAUSE_MILLISECONDS * 1000000L}, NULL);
 }
 
-void workers_run(const worker_job *jobs, const size_t *todo, size_t ntodo, int at_once, const worker_host *host) {
+void workers_run(const worker_job *jobs, const size_t *due, size_t ndue, int at_once, const worker_host *host) {
     slot *slots = alloc_zeroed((size_t)at_once, sizeof *slots);
     size_t next = 0, running;
     do {
         running = 0;
         for (int i = 0; i < at_once; i++) {
             look_after(&slots[i], host);
-            if (!slots[i].pid && next < ntodo && !host->stopped(host->self))
-                fill(&slots[i], jobs, todo[next++], host);
+            if (!slots[i].pid && next < ndue && !host->stopped(host->self))
+                fill(&slots[i], jobs, due[next++], host);
             running += slots[i].pid > 0;
         }
         host->waiting(host->self, running);
         workers_pause();
-    } while (running || (next < ntodo && !host->stopped(host->self)));
+    } while (running || (next < ndue && !host->stopped(host->self)));
     free(slots);
 }

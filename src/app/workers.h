@@ -21,9 +21,9 @@ typedef struct worker_host {
     bool (*stopped)(void *self);                                     /* no new jobs: those that run are waited for */
 } worker_host;
 
-/* Runs the jobs of `todo` (ntodo rows of jobs) in that order, at most `at_once` at a time, each a child of this
+/* Runs the jobs of `due` (ndue rows of jobs) in that order, at most `at_once` at a time, each a child of this
  * process. A job that cannot be started ends with code 127. */
-void workers_run(const worker_job *jobs, const size_t *todo, size_t ntodo, int at_once, const worker_host *host);
+void workers_run(const worker_job *jobs, const size_t *due, size_t ndue, int at_once, const worker_host *host);
 
 /* Starts one job; -1: it could not be. */
 pid_t workers_start(const worker_job *job);

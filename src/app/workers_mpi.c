@@ -79,8 +79,8 @@ static bool ended(child *c, ready_message *m) {
 }
 
 /* The next job to hand out; JOB_NONE: no more. */
-static long next_job(const size_t *todo, size_t ntodo, size_t *next, const worker_host *host) {
-    return *next < ntodo && !host->stopped(host->self) ? (long)todo[(*next)++] : JOB_NONE;
+static long next_job(const size_t *due, size_t ndue, size_t *next, const worker_host *host) {
+    return *next < ndue && !host->stopped(host->self) ? (long)due[(*next)++] : JOB_NONE;
 }
 
 static void tell(const worker_host *host, const ready_message *m) {
@@ -89,7 +89,7 @@ static void tell(const worker_host *host, const ready_message *m) {
 }
 
 /* Answers one rank that wants work, if any does. */
-static void answer(const size_t *todo, size_t ntodo, size_t *next, int *busy, int *released, const worker_host *host) {
+static void answer(const size_t *due, size_t ndue, size_t *next, int *busy, int *released, const worker_host *host) {
     int waiting;
     MPI_Status from;
     MPI_Iprobe(MPI_ANY_SOURCE, TAG_READY, MPI_COMM_WORLD, &waiting, &from);
@@ -99,13 +99,13 @@ static void answer(const size_t *todo, size_t ntodo, size_t *next, int *busy, in
     MPI_Recv(&m, sizeof m, MPI_BYTE, from.MPI_SOURCE, TAG_READY, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     *busy -= m.job != JOB_NONE;
     tell(host, &m);
-    long job = next_job(todo, ntodo, next, host);
+    long job = next_job(due, ndue, next, host);
     MPI_Send(&job, 1, MPI_LONG, from.MPI_SOURCE, TAG_JOB, MPI_COMM_WORLD);
     *busy += job != JOB_NONE;
     *released += job == JOB_NONE;
 }
 
-void workers_mpi_run(const worker_job *jobs, const size_t *todo, size_t ntodo, const worker_host *host) {
+void workers_mpi_run(const worker_job *jobs, const size_t *due, size_t ndue, const worker_host *host) {
     child own = {0};
     size_t next = 0;
     int busy = 0, released = 0, others = workers_mpi_ranks() - 1;
@@ -115,7 +115,7 @@ void workers_mpi_run(const worker_job *jobs, const size_t *todo, size_t ntodo, c
         if (ended(&own, &m))
             tell(host, &m);
         if (!own.pid) {
-            long job = next_job(todo, ntodo, &next, host);
+            long job = next_job(due, ndue, &next, host);
             idle = job == JOB_NONE;
             if (!idle) {
                 m = start(&own, jobs, job);
@@ -123,7 +123,7 @@ void workers_mpi_run(const worker_job *jobs, const size_t *todo, size_t ntodo, c
                     tell(host, &m);
             }
         }
-        answer(todo, ntodo, &next, &busy, &released, host);
+        answer(due, ndue, &next, &busy, &released, host);
         host->waiting(host->self, (size_t)busy + (own.pid > 0));
         workers_pause();
     }
@@ -159,8 +159,8 @@ int workers_mpi_ranks(void) {
     return 1;
 }
 
-void workers_mpi_run(const worker_job *jobs, const size_t *todo, size_t ntodo, const worker_host *host) {
-    workers_run(jobs, todo, ntodo, 1, host);
+void workers_mpi_run(const worker_job *jobs, const size_t *due, size_t ndue, const worker_host *host) {
+    workers_run(jobs, due, ndue, 1, host);
 }
 
 void workers_mpi_serve(const worker_job *jobs) {

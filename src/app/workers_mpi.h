@@ -11,8 +11,8 @@ void workers_mpi_end(void);
 int workers_mpi_rank(void);
 int workers_mpi_ranks(void);
 
-/* Rank 0: runs the jobs of `todo` (rows of jobs), as workers_run does. Every rank has the same jobs. */
-void workers_mpi_run(const worker_job *jobs, const size_t *todo, size_t ntodo, const worker_host *host);
+/* Rank 0: runs the jobs of `due` (rows of jobs), as workers_run does. Every rank has the same jobs. */
+void workers_mpi_run(const worker_job *jobs, const size_t *due, size_t ndue, const worker_host *host);
 
 /* The other ranks: runs what rank 0 hands out, until it has no more. */
 void workers_mpi_serve(const worker_job *jobs);
