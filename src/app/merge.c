@@ -210,7 +210,8 @@ static int write_groups(const plan *p, gathered *g, const char *suffix, const ch
         free(path);
         return SARCINA_ERROR;
     }
-    qsort(g->entries, g->nentries, sizeof *g->entries, compare_entries);
+    if (g->nentries)
+        qsort(g->entries, g->nentries, sizeof *g->entries, compare_entries);
     put_axes(out, p);
     fprintf(out, "%s\n", columns);
     put_groups(out, p, g, put);

@@ -8,6 +8,7 @@
 #include "analysis/orientation.h"
 #include "analysis/plane.h"
 #include "analysis/state.h"
+#include "analysis/value.h"
 
 #include <gsl/gsl_rng.h>
 #include <stdlib.h>
@@ -246,7 +247,7 @@ static void test_components(void **state) {
     uint64_t id[9];
     for (int i = 0; i < 9; i++)
         id[i] = add_rod(c, 4 * i, 0, 0, 0, 2);
-    double out[5];
+    double out[1 + VALUE_FIELDS_MAX];
     const view v = {.colony = c};
     component_filaments(&v, NULL, out, NULL);
     assert_near(out[0], 0, 0);
