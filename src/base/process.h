@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Another program that we feed with bytes: ffmpeg, gnuplot. It is found in PATH and started without a shell, with an
- * environment of its own that holds PATH and LC_ALL=C.UTF-8 only, in a process group of its own, so that Ctrl-C reaches us
- * alone. Its standard output goes nowhere, its errors where ours go. */
+ * environment of its own that holds PATH and LC_ALL=C.UTF-8 only, in a process group of its own, so that Ctrl-C reaches
+ * us alone. Its standard output goes nowhere, its errors where ours go. */
 #ifndef SARCINA_BASE_PROCESS_H
 #define SARCINA_BASE_PROCESS_H
 

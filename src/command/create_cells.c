@@ -204,7 +204,7 @@ static const param file_params[] = {
 
 #define ALL_OR_NONE                                                                                                    \
     "All of them or none: when there is no room the scene is as before. Room is judged by the cells' own surfaces; "   \
-    "'overlap yes' asks for none. In a command of 'run ... every' cells come as by attach: where there is no room at "   \
+    "'overlap yes' asks for none. In a command of 'run ... every' cells come as by attach: where there is no room at " \
     "random places none is created, with a warning, and the run goes on."
 
 static const command_form forms[] = {

@@ -2,8 +2,9 @@
 /* What a prompt has run: the state before each line that changed it, for `undo`, and the lines themselves, for `save`.
  *
  * A line counts when the state (all that a restart file holds, and the settings) is another behind it. States share
- * what they have in common; the oldest are dropped when all of them occupy more than interp_undo_bytes; the last one stays. Files are no part of
- * it: what was written stays, and tables go on behind the step that the scene has gone back to. */
+ * what they have in common; the oldest are dropped when all of them occupy more than interp_undo_bytes; the last one
+ * stays. Files are no part of it: what was written stays, and tables go on behind the step that the scene has gone back
+ * to. */
 #ifndef SARCINA_COMMAND_PAST_H
 #define SARCINA_COMMAND_PAST_H
 

@@ -6,15 +6,15 @@
 #include <stddef.h>
 
 typedef enum {
-    FUNCTION_PURE,   /* pure numbers or angles to a pure number */
-    FUNCTION_SAME,   /* keeps the dimension; two arguments must have the same */
-    FUNCTION_ROOT,   /* halves the dimension */
-    FUNCTION_SIGN,   /* any dimension, the same for all arguments, to a pure number */
-    FUNCTION_RANDOM, /* draws */
-    FUNCTION_CHOICE, /* ternary(test, yes, no) */
+    FUNCTION_PURE,     /* pure numbers or angles to a pure number */
+    FUNCTION_SAME,     /* keeps the dimension; two arguments must have the same */
+    FUNCTION_ROOT,     /* halves the dimension */
+    FUNCTION_SIGN,     /* any dimension, the same for all arguments, to a pure number */
+    FUNCTION_RANDOM,   /* draws */
+    FUNCTION_CHOICE,   /* ternary(test, yes, no) */
     FUNCTION_DESCENDS, /* descends(ID): a truth per cell */
-    FUNCTION_FILE,   /* is_file("F") */
-    FUNCTION_DEFINED /* defined("NAME") */
+    FUNCTION_FILE,     /* is_file("F") */
+    FUNCTION_DEFINED   /* defined("NAME") */
 } function_rule;
 
 typedef struct function_style {

@@ -131,7 +131,7 @@ const char *interp_environment(interp *in, const char *name); /* NULL: not set *
 const char *interp_date(const interp *in);                    /* "2026-11-21", or "" */
 int interp_edit(interp *in, char **text, diag *d);            /* by the user; *text is replaced */
 size_t interp_undo_bytes(const interp *in);
-bool interp_skips_runs(const interp *in);                     /* -skiprun: nothing grows, nothing moves */
+bool interp_skips_runs(const interp *in); /* -skiprun: nothing grows, nothing moves */
 void interp_quit(interp *in, int code);
 
 /* ---- for the program --------------------------------------------------------------------------------------------- */

@@ -102,8 +102,9 @@ const dump_style dump_povray = {
     .summary = "a scene for the ray tracer POV-Ray, with the camera and colours of image",
     .details = "Render it with: povray +IFILE +W800 +H600 +A0.1. Lengths are in um. What image draws flat over the "
                "picture (scale bar, axes, springs, legend) is not in it.",
-    .example = "dump scene all povray 10 colony.*.pov species size 400 300 view iso zoom 1.2 scalebar 0 axes no springs "
-               "no legend no map plasma range 0 8 background black",
+    .example =
+        "dump scene all povray 10 colony.*.pov species size 400 300 view iso zoom 1.2 scalebar 0 axes no springs "
+        "no legend no map plasma range 0 8 background black",
     .now_example = "write_dump all povray colony.pov z size 400 300 view 60degree 30degree zoom 1.2 scalebar 0 axes no "
                    "springs no legend no map cividis range 0 2um background '#102030'",
     .takes = DUMP_COLOR,
