@@ -117,6 +117,17 @@ static int compare_entries(const void *a, const void *b) {
     return order ? order : (x->run > y->run) - (x->run < y->run);
 }
 
+/* Sorts the entries; of those of one run and mean (a quantity written twice at a step) the first counts. */
+static void sort_entries(gathered *g) {
+    size_t kept = 0;
+    if (g->nentries)
+        qsort(g->entries, g->nentries, sizeof *g->entries, compare_entries);
+    for (size_t i = 0; i < g->nentries; i++)
+        if (kept == 0 || compare_entries(&g->entries[kept - 1], &g->entries[i]) != 0)
+            g->entries[kept++] = g->entries[i];
+    g->nentries = kept;
+}
+
 /* ---- writing ---- */
 
 static void put_number(FILE *out, double x) {
@@ -185,7 +196,7 @@ static void put_summary(FILE *out, const plan *p, const gathered *g, const entry
     put_statistics(out, x, n);
 }
 
-/* Calls put for each set of entries that belong to one mean; they are sorted. */
+/* Calls put for each set of entries that belong to one mean, at most one a run; they are sorted. */
 static void put_groups(FILE *out, const plan *p, const gathered *g, put_group *put) {
     double *x = alloc_zeroed(p->nruns, sizeof *x);
     const entry *end = g->entries + g->nentries;
@@ -210,8 +221,7 @@ static int write_groups(const plan *p, gathered *g, const char *suffix, const ch
         free(path);
         return SARCINA_ERROR;
     }
-    if (g->nentries)
-        qsort(g->entries, g->nentries, sizeof *g->entries, compare_entries);
+    sort_entries(g);
     put_axes(out, p);
     fprintf(out, "%s\n", columns);
     put_groups(out, p, g, put);
