@@ -48,7 +48,7 @@ static _Noreturn void fail(const char *what, const char *text) {
     size_t from = s.n > 1500 ? s.n - 1500 : 0;
     fprintf(stderr, "%s:%zu: %s%s\n--- the end of the screen:\n%s\n---\n0 passed, 1 failed\n", dialogue, s.line, what,
             text, s.screen + from);
-    if (s.process)
+    if (s.process > 0) /* -1 would be every process there is */
         kill(s.process, SIGKILL);
     exit(1);
 }
@@ -175,8 +175,10 @@ static void start(const char *command) {
     s.n = s.seen = s.typed = 0;
     s.screen[0] = '\0';
     s.process = forkpty(&s.terminal, NULL, NULL, &s.size);
-    if (s.process < 0)
-        fail("no pseudo-terminal: ", strerror(errno));
+    if (s.process < 0) { /* a chroot without /dev/pts, say */
+        printf("no pseudo-terminal here, left out: %s\n0 passed, 0 failed\n", strerror(errno));
+        exit(0);
+    }
     if (s.process == 0) {
         char *line = NULL;
         if (asprintf(&line, "exec %s", command) > 0)
