@@ -81,16 +81,16 @@ static solid_body flat_hull(const double *points, size_t n, vec3 centre, const v
 
 /* Of the edge between two triangles: length times the angle between their normals, halved. */
 static double edge_curvature(const facetT *f, const facetT *g, const vertexT *opposite) {
-    const double *ends[2] = {NULL, NULL};
+    vec3 ends[2] = {{0}};
     int n = 0;
     for (int i = 0; i < 3; i++) {
         const vertexT *corner = SETelemt_(f->vertices, i, vertexT);
         if (corner != opposite && n < 2)
-            ends[n++] = corner->point;
+            ends[n++] = vec3_load(corner->point);
     }
     vec3 a = vec3_load(f->normal), b = vec3_load(g->normal);
     double angle = atan2(vec3_norm(vec3_cross(a, b)), vec3_dot(a, b));
-    return 0.5 * vec3_norm(vec3_sub(vec3_load(ends[1]), vec3_load(ends[0]))) * angle;
+    return 0.5 * vec3_norm(vec3_sub(ends[1], ends[0])) * angle;
 }
 
 static solid_body measure_hull(qhT *qh) {

@@ -17,6 +17,6 @@
 #include "app/program.h"
 
 /* Checks the script, runs what is missing and merges; the exit code: 0, 1 when a replicate failed, 130 interrupted. */
-int ensemble_main(program *p, const options *o);
+int ensemble_main(program *host, const options *o);
 
 #endif

@@ -41,9 +41,10 @@ static repl_line_status next_line(repl *r, const char *before, char **line) {
 
 /* One command or block, over as many lines as it takes; NULL at the end of the input. The caller frees. */
 static char *read_entry(repl *r, bool *interrupted) {
-    char *text = NULL, *line = NULL;
+    char *text = NULL;
     *interrupted = false;
     for (;;) {
+        char *line = NULL;
         repl_line_status got = next_line(r, text, &line);
         if (got == REPL_LINE_END)
             return text;

@@ -189,10 +189,10 @@ static int read_number(const reader *r, const char *word, const column *c, cell_
         return refuse_word(r, c, word, "out of range", d);
     if (!c->particle) {
         memcpy((char *)row + known[c->known].offset, &value, sizeof value);
-        return SARCINA_OK;
+    } else if (row->particles) {
+        row->particles[6 * (size_t)(c->particle - 1) + (size_t)c->component] = value;
+        row->nparticles = c->particle > row->nparticles ? c->particle : row->nparticles;
     }
-    row->particles[6 * (size_t)(c->particle - 1) + (size_t)c->component] = value;
-    row->nparticles = c->particle > row->nparticles ? c->particle : row->nparticles;
     return SARCINA_OK;
 }
 

@@ -72,7 +72,7 @@ typedef int create(scene *s, const args *a, const placement *p, size_t *created,
 
 static int create_with(interp *in, const args *a, create *how, diag *d) {
     placement p;
-    size_t created;
+    size_t created = 0;
     int status = begin(in, a, d);
     if (!status && !interp_checking(in))
         status = read_placement(in, a, &p, d);

@@ -203,13 +203,11 @@ static int try_dynamic(interp *in, size_t i, int hidden, diag *d) {
     if (interp_checking(in))
         return SARCINA_OK;
     scene *sc = interp_scene(in);
-    char *name = hidden < 0 ? NULL : sc->groups.name[hidden], first = name ? *name : '\0';
+    char none[] = "", *name = hidden < 0 ? none : sc->groups.name[hidden], first = *name;
     bool *flags = alloc_zeroed(sc->colony->cell.count, sizeof *flags);
-    if (name)
-        *name = '\0';
+    *name = '\0';
     int status = dynamic_members(in, i, flags, d);
-    if (name)
-        *name = first;
+    *name = first;
     free(flags);
     return status;
 }
