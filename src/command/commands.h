@@ -46,10 +46,6 @@ void command_pages(command_table *t);
 COMMAND_FILES(COMMAND_DECLARE)
 #undef COMMAND_DECLARE
 
-/* info.c: the lines of `info scene`, by interp_print or its like. */
-typedef void (*info_put)(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3)));
-void info_show_scene(interp *in, info_put put);
-
 /* Adds every command, name class and the session to a new table. */
 void commands_add(command_table *t);
 

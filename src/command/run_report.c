@@ -6,7 +6,7 @@
 #include "analysis/view_cache.h"
 #include "base/alloc.h"
 #include "base/table.h"
-#include "command/commands.h"
+#include "command/info_scene.h"
 
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
@@ -49,7 +49,7 @@ void run_report_begin(interp *in, run_report *r) {
     if (first) {
         note_start(s, r);
         if (r->logged)
-            info_show_scene(in, interp_log);
+            info_scene_show(in, interp_log);
     }
     r->open = interp_in_loop(in);
     double memory = megabytes_held(s);

@@ -66,6 +66,9 @@ static void note_relaxation(scene *s, const mechanics_stats *from, const relax_r
     s->timing.force += now.force_seconds - from->force_seconds;
     s->timing.build += now.build_seconds - from->build_seconds;
     s->timing.remodel += r->remodel_seconds;
+    s->timing.upkeep += now.upkeep_seconds - from->upkeep_seconds;
+    for (int i = 0; i < FORCE_COUNT; i++)
+        s->timing.term[i] += now.term_seconds[i] - from->term_seconds[i];
     t->by_time += r->stop == RELAX_TIME;
     t->by_force += r->stop == RELAX_FORCE;
     t->steps += r->steps;

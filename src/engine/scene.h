@@ -53,6 +53,7 @@ typedef struct attachment_table {
 /* Seconds of wall time by stage; force, build and remodel are parts of relax; output is added by who writes it. */
 typedef struct scene_timing {
     double grow, divide, relax, force, build, remodel, output, total;
+    double term[FORCE_COUNT], upkeep; /* of some of the evaluations: how the time of force is shared */
 } scene_timing;
 
 /* What the relaxations of a scene took. */

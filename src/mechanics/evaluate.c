@@ -149,27 +149,70 @@ static void evaluate_chains(mechanics *m, unsigned which, unsigned within, const
                 force_styles[i]->add_chain(m->forces.term[i].p, at, c, c + 1, f);
 }
 
-/* The terms of `which` (bit i: row i of the table), in the table's order, chunk by chunk; those that act within chains
- * act there only where they are in `within`, too. */
+/* Every so many evaluations the terms are timed: a clock at each chunk would cost more than the cheap ones. */
+enum { EVALUATIONS_BETWEEN_CLOCKS = 64 };
+
+/* Adds the terms of `which` on bodies begin ... end - 1, in the table's order; seconds (FORCE_COUNT) NULL: untimed. */
+static void add_terms(const mechanics *m, unsigned which, const force_frame *at, size_t begin, size_t end, double *f,
+                      double *seconds) {
+    double before = seconds ? omp_get_wtime() : 0;
+    for (int i = 0; i < FORCE_COUNT; i++) {
+        if (!(which >> i & 1 && m->forces.term[i].on && force_styles[i]->add))
+            continue;
+        force_styles[i]->add(m->forces.term[i].p, at, begin, end, f);
+        if (seconds) {
+            double now = omp_get_wtime();
+            seconds[i] += now - before;
+            before = now;
+        }
+    }
+}
+
+/* The terms of `which` (bit i: row i of the table) on all bodies, chunk by chunk. */
+static void evaluate_bodies(mechanics *m, unsigned which, const force_frame *at, bool timed, double *f) {
+    const size_t chunks = (m->nbodies + STATE_CHUNK - 1) / STATE_CHUNK;
+#pragma omp parallel num_threads(state_threads(m))
+    {
+        double seconds[FORCE_COUNT] = {0};
+#pragma omp for schedule(static)
+        for (size_t chunk = 0; chunk < chunks; chunk++) {
+            size_t first = chunk * STATE_CHUNK, last = first + STATE_CHUNK;
+            last = last < m->nbodies ? last : m->nbodies;
+            clear_chunk(m, first, last, f);
+            add_terms(m, which, at, first, last, f, timed ? seconds : NULL);
+        }
+        for (int i = 0; timed && i < FORCE_COUNT; i++)
+#pragma omp atomic
+            m->stats.term_seconds[i] += seconds[i];
+    }
+}
+
+/* The same for chains, term by term, each timed. */
+static void time_chains(mechanics *m, unsigned which, unsigned within, const force_frame *at, double *f) {
+    for (int i = 0; i < FORCE_COUNT; i++) {
+        double before = omp_get_wtime();
+        if (which >> i & 1)
+            evaluate_chains(m, 1u << i, within, at, f);
+        m->stats.term_seconds[i] += which >> i & 1 && m->forces.term[i].on ? omp_get_wtime() - before : 0;
+    }
+}
+
+/* The terms of `which`; those that act within chains act there only where they are in `within`, too. */
 static void evaluate(mechanics *m, unsigned which, unsigned within, const double *x, const double *v, double *f) {
     double begin = omp_get_wtime(), built = m->stats.build_seconds;
+    bool timed = m->stats.evaluations % EVALUATIONS_BETWEEN_CLOCKS == 1; /* not the first, which builds */
     if (!state_refresh(m, x)) {
         for (size_t i = 0; i < 3 * m->nparticles; i++)
             f[i] = NAN;
         return;
     }
+    if (timed)
+        m->stats.upkeep_seconds += omp_get_wtime() - begin - (m->stats.build_seconds - built);
     const force_frame at = state_frame(m, x, v);
-    const size_t chunks = (m->nbodies + STATE_CHUNK - 1) / STATE_CHUNK;
-#pragma omp parallel for num_threads(state_threads(m)) schedule(static)
-    for (size_t chunk = 0; chunk < chunks; chunk++) {
-        size_t first = chunk * STATE_CHUNK, last = first + STATE_CHUNK;
-        last = last < m->nbodies ? last : m->nbodies;
-        clear_chunk(m, first, last, f);
-        for (int i = 0; i < FORCE_COUNT; i++)
-            if (which >> i & 1 && m->forces.term[i].on && force_styles[i]->add)
-                force_styles[i]->add(m->forces.term[i].p, &at, first, last, f);
-    }
-    if (m->nchains)
+    evaluate_bodies(m, which, &at, timed, f);
+    if (m->nchains && timed)
+        time_chains(m, which, within, &at, f);
+    else if (m->nchains)
         evaluate_chains(m, which, within, &at, f);
     m->stats.evaluations++;
     m->stats.cell_evaluations += m->ncells;

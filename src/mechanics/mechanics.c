@@ -349,20 +349,3 @@ bool mechanics_kernel(mechanics *m, const char *name) {
         m->kernel = kernel;
     return kernel != NULL;
 }
-
-mechanics_stats mechanics_statistics(const mechanics *m) {
-    mechanics_stats stats = m->stats;
-    stats.pairs = m->listed ? neighbor_entries(&m->neighbor) : 0;
-    stats.skin = m->skin;
-    stats.kernel = m->kernel->name;
-    stats.bytes = sizeof *m + m->image.capacity + m->next_image.capacity + m->chain_capacity * sizeof *m->chains +
-                  m->share_capacity * sizeof *m->shares +
-                  m->body_capacity * (2 * sizeof *m->bodies + sizeof *m->by_id) +
-                  m->particle_capacity * (2 * sizeof(uint32_t) + 5 * sizeof(double)) +
-                  m->capsule_capacity * (sizeof *m->capsules + 6 * sizeof(double)) +
-                  m->neighbor.entries_capacity * 2 * sizeof(uint32_t) +
-                  m->neighbor.n_capacity * (sizeof(size_t) + 2 * sizeof(uint32_t)) +
-                  m->springs.ends_capacity * sizeof(spring_end) + m->springs.start_capacity * sizeof(uint32_t) +
-                  m->stiff.capacity * sizeof(stiff_spring);
-    return stats;
-}

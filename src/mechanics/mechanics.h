@@ -122,12 +122,26 @@ typedef struct mechanics_stats {
     uint64_t evaluations, builds;        /* since creation */
     uint64_t cell_evaluations;           /* evaluations, each times the cells it was of */
     double force_seconds, build_seconds; /* wall time */
-    size_t pairs;                        /* entries of the present list */
+    /* of every 64th evaluation: seconds of all threads in each term, and in what they read (capsules) */
+    double term_seconds[FORCE_COUNT], upkeep_seconds;
+    size_t pairs; /* entries of the present list */
     double skin;
     size_t bytes;       /* memory held */
     const char *kernel; /* "avx512", "avx2", "base" */
+    bool spheres;       /* contacts are those of spheres: no cell has more than one particle */
 } mechanics_stats;
 mechanics_stats mechanics_statistics(const mechanics *m);
+
+/* Memory by what it is for, bytes; parts that nothing here needs are 0. */
+enum { MECHANICS_PARTS = 6 };
+typedef struct mechanics_part {
+    const char *name;
+    size_t bytes;
+} mechanics_part;
+void mechanics_memory(const mechanics *m, mechanics_part parts[MECHANICS_PARTS]);
+
+/* Does a term act on the bound colony: is it named, or on by what the colony holds? */
+bool mechanics_is_active(const mechanics *m, force_kind term);
 
 /* Chooses the contact kernel by name, for tests and measurements; false when this processor lacks it. */
 bool mechanics_kernel(mechanics *m, const char *name);

@@ -49,7 +49,7 @@ typedef struct table_info {
 } table_info;
 
 #define LIST_COUNT(a) (sizeof(a) / sizeof(a)[0])
-enum { PARTICLES, CELLS, LINKS, SPRINGS, TABLES };
+enum { PARTICLES, CELLS, LINKS, SPRINGS, TABLES = COLONY_TABLES };
 static const table_info tables[TABLES] = {
     [PARTICLES] = {"particle", offsetof(colony, particle), particle_list, LIST_COUNT(particle_list)},
     [CELLS] = {"cell", offsetof(colony, cell), cell_list, LIST_COUNT(cell_list)},
@@ -385,11 +385,19 @@ void colony_axis(const colony *c, uint32_t row, double axis[3]) {
         axis[i] = length > 0 ? d[i] / length : 0;
 }
 
-size_t colony_bytes(const colony *c) {
+void colony_memory(const colony *c, size_t bytes[COLONY_TABLES]) {
     colony *source = (colony *)c; /* only read */
-    size_t bytes = sizeof *c + c->order_capacity * sizeof *c->order;
-    for (int t = 0; t < TABLES; t++)
+    for (int t = 0; t < TABLES; t++) {
+        bytes[t] = 0;
         for (size_t i = 0; i < tables[t].ncolumns; i++)
-            bytes += head_of(source, t)->capacity * tables[t].columns[i].row_bytes;
+            bytes[t] += head_of(source, t)->capacity * tables[t].columns[i].row_bytes;
+    }
+}
+
+size_t colony_bytes(const colony *c) {
+    size_t by_table[COLONY_TABLES], bytes = sizeof *c + c->order_capacity * sizeof *c->order;
+    colony_memory(c, by_table);
+    for (int t = 0; t < TABLES; t++)
+        bytes += by_table[t];
     return bytes;
 }

@@ -116,7 +116,9 @@ void colony_centre(const colony *c, uint32_t row, double centre[3]);
 void colony_mean(const colony *c, uint32_t row, const double *values, double mean[3]);
 void colony_axis(const colony *c, uint32_t row, double axis[3]);
 
-/* Memory the state occupies, bytes. */
+/* Memory the state occupies, bytes; and by table: particles, cells, links, springs. */
+enum { COLONY_TABLES = 4 };
 size_t colony_bytes(const colony *c);
+void colony_memory(const colony *c, size_t bytes[COLONY_TABLES]);
 
 #endif

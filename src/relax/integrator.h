@@ -17,6 +17,7 @@ typedef struct integrator_style {
     const char *source;  /* where it comes from */
     int order;           /* the convergence test fits this slope */
     unsigned caps;
+    int vectors;        /* arrays of (particles x 3) numbers that a method holds */
     double tolerance;   /* its own, where settings.tolerance is 0; adaptive only */
     const void *method; /* for create, where several records share their functions */
     /* A method for this motion; owned by the caller, freed by destroy. */

@@ -5,6 +5,8 @@
 
 #include "relax/integrator.h"
 
+#include <malloc.h>
+
 /* A rod that spins, is stretched and drags on an anchor: springs and damping, and no two directions alike. */
 static packing make_rod(void) {
     packing p = packing_create(1);
@@ -171,6 +173,35 @@ static void test_segments(void **state) {
     packing_free(&q);
 }
 
+static size_t allocated(void) {
+    struct mallinfo2 now = mallinfo2();
+    return now.uordblks + now.hblkhd;
+}
+
+/* The memory that info and -check tell is what a method takes. */
+static void test_memory(void **state) {
+    (void)state;
+    if (allocated() == 0)
+        skip(); /* the sanitizers' allocator does not count */
+    packing p = packing_create(1);
+    for (int i = 0; i < 2000; i++)
+        packing_coccus(&p, (double[]){2 * i, 0, 0}, 1);
+    mechanics *m = packing_mechanics(&p, NEIGHBOR_CELLS, 1);
+    for (int kind = 0; kind < INTEGRATOR_COUNT; kind++) {
+        const integrator_style *style = integrator_styles[kind];
+        const relax_settings how = {.integrator = (integrator_kind)kind};
+        const motion mo = {.m = m, .n = mechanics_particles(m)};
+        size_t before = allocated();
+        void *method = style->create(style, &how, &mo);
+        double vectors = (double)(allocated() - before) / (3 * sizeof(double) * (double)mo.n);
+        style->destroy(method);
+        if (fabs(vectors - style->vectors) > 0.4)
+            fail_msg("%s holds %.2f arrays, not %d", style->name, vectors, style->vectors);
+    }
+    mechanics_free(m);
+    packing_free(&p);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_records),
@@ -179,6 +210,7 @@ int main(void) {
         cmocka_unit_test(test_failure_restores),
         cmocka_unit_test(test_refused_steps_leave_no_trace),
         cmocka_unit_test(test_segments),
+        cmocka_unit_test(test_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -169,6 +169,7 @@ const integrator_style integrator_dopri5 = {
     .caps = INTEGRATOR_ADAPTIVE,
     .tolerance = 0.1,
     .method = &dormand_prince,
+    .vectors = 18,
     EMBEDDED_FUNCTIONS,
 };
 
@@ -180,5 +181,6 @@ const integrator_style integrator_bs32 = {
     .caps = INTEGRATOR_ADAPTIVE,
     .tolerance = 0.01,
     .method = &bogacki_shampine,
+    .vectors = 18,
     EMBEDDED_FUNCTIONS,
 };

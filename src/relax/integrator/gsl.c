@@ -134,6 +134,7 @@ const integrator_style integrator_rk4 = {
     .source = "GSL rk4",
     .order = 4,
     .method = &gsl_odeiv2_step_rk4,
+    .vectors = 22,
     STEPPER_FUNCTIONS,
 };
 
@@ -145,6 +146,7 @@ const integrator_style integrator_rkf45 = {
     .caps = INTEGRATOR_ADAPTIVE,
     .tolerance = 0.1,
     .method = &gsl_odeiv2_step_rkf45,
+    .vectors = 28,
     STEPPER_FUNCTIONS,
 };
 
@@ -156,5 +158,6 @@ const integrator_style integrator_rk8pd = {
     .caps = INTEGRATOR_ADAPTIVE,
     .tolerance = 0.01,
     .method = &gsl_odeiv2_step_rk8pd,
+    .vectors = 42,
     STEPPER_FUNCTIONS,
 };
