@@ -155,6 +155,35 @@ int analyze_bins_value(interp *in, const output_analysis *p, const char *field, 
     return SARCINA_OK;
 }
 
+size_t analyze_bins_count(const output_analysis *p) {
+    return p->bins->n;
+}
+
+bool analyze_bins_is_profile(const output_analysis *p) {
+    return p->bins->along != ALONG_VALUE;
+}
+
+const char *analyze_bins_along(const output_analysis *p) {
+    static const char *const names[] = {"x", "y", "z", "r"};
+    return analyze_bins_is_profile(p) ? names[p->bins->along] : p->bins->value.name;
+}
+
+int analyze_bins_each(interp *in, const output_analysis *p, analyze_bins_visit *visit, void *self, diag *d) {
+    const output_bins *b = p->bins;
+    bins k;
+    int status = fill(in, b, p->group, &k, d);
+    if (status)
+        return status;
+    for (size_t f = 0; f < field_count(b); f++)
+        for (size_t i = 0; i < k.n; i++) {
+            char *name = alloc_format("%s.%s[%zu]", p->id, fields[f], i + 1);
+            visit(self, name, field_dim(b, (bin_field)f), field_value(b, &k, (bin_field)f, i));
+            free(name);
+        }
+    bins_free(&k);
+    return SARCINA_OK;
+}
+
 /* ---- files ------------------------------------------------------------------------------------------------------ */
 
 static void put_header(const output_bins *b, bool many, FILE *out) {

@@ -13,6 +13,17 @@ extern const size_t analyze_bins_form_count;
 int analyze_bins_value(interp *in, const output_analysis *p, const char *field, double index, dim *dimension,
                        double *si, diag *d);
 
+/* How many bins; whether they lie along a direction (a profile). */
+size_t analyze_bins_count(const output_analysis *p);
+bool analyze_bins_is_profile(const output_analysis *p);
+
+/* What lies along the bins: the value, or the direction. */
+const char *analyze_bins_along(const output_analysis *p);
+
+/* Every field of every bin of the present scene, SI, by the name it has in expressions: "lengths.count[3]". */
+typedef void analyze_bins_visit(void *self, const char *name, dim d, double si);
+int analyze_bins_each(interp *in, const output_analysis *p, analyze_bins_visit *visit, void *self, diag *d);
+
 /* Opens the file of many steps, if there is one; writes the present step. */
 int analyze_bins_open(output_analysis *p, diag *d);
 int analyze_bins_write(outputs *o, output_analysis *p, diag *d);

@@ -67,7 +67,7 @@ static const command_page pages[] = {
      "is written once.",
      "write_dump dump_modify undump"},
     {"write_dump", "Output", "Writes cells or links to a file at once", NULL, "dump"},
-    {"plot", "Output", "Draws columns of a run's table", NULL, "thermo_style analyze"},
+    {"plot", "Output", "Draws tables of runs and ensembles, histograms and profiles", NULL, "thermo_style analyze"},
     {"dump_modify", "Output", "Changes a dump", NULL, "dump undump"},
     {"undump", "Output", "Ends a dump", NULL, "dump dump_modify"},
     {"restart", "Restarting", "Writes restart files while a run goes on", NULL, "write_restart read_restart run"},
@@ -116,6 +116,14 @@ static const command_file files[] = {
     {"cells.csv", "species,x[um],y[um],z[um],mass[kg],ux,uy,uz\n"
                   "ecoli,-4,0,0.375,1.2e-15,1,0,0\n"
                   "ecoli,4,0,0.375,2e-15,0,1,0\n"},
+    {"ecoli.ensemble.csv", "step,time,quantity,unit,runs,n,mean,ci95,sd,min,max\n"
+                           "0,0,cells,,3,3,1,0,0,1,1\n"
+                           "0,0,thickness,m,3,3,3.75e-7,0,0,3.75e-7,3.75e-7\n"
+                           "5,1200,cells,,3,3,2.3,1.4,0.6,2,3\n"
+                           "5,1200,thickness,m,3,3,5e-7,1.2e-7,5e-8,4.5e-7,5.5e-7\n"
+                           "5,1200,lengths.low[1],m,3,3,2e-6,0,0,2e-6,2e-6\n"
+                           "5,1200,lengths.high[1],m,3,3,4e-6,0,0,4e-6,4e-6\n"
+                           "5,1200,lengths.fraction[1],,3,3,1,0,0,1,1\n"},
 };
 
 void command_pages(command_table *t) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "command/results.h"
 
+#include "command/analyze_bins.h"
 #include "command/output_list.h"
 
 #include "base/alloc.h"
@@ -73,6 +74,23 @@ static void put_analysis(interp *in, const thermo *t, const row *r, const output
     }
 }
 
+static void put_bin(void *self, const char *name, dim d, double si) {
+    put_value(self, name, d, si);
+}
+
+/* What analyses say of the step. Histograms and profiles: every bin is a quantity of its own. */
+static int put_analyses(outputs *o, row *r, diag *d) {
+    int status = SARCINA_OK;
+    for (size_t i = 0; i < o->nanalyses && !status; i++) {
+        const output_analysis *p = &o->analyses[i];
+        if (p->style)
+            put_analysis(o->in, o->table, r, p);
+        else if (p->bins)
+            status = analyze_bins_each(o->in, p, put_bin, r, d);
+    }
+    return status;
+}
+
 static int open_results(outputs *o, diag *d) {
     o->results = stream_create("results.csv", STREAM_CSV, 0);
     int status = SARCINA_OK;
@@ -99,10 +117,8 @@ int results_row(outputs *o, diag *d) {
         if (!c->is_text && strcmp(c->name, "step") != 0)
             put_value(&r, c->name, c->d, thermo_last(o->table, i));
     }
-    for (size_t i = 0; i < o->nanalyses; i++)
-        if (o->analyses[i].style)
-            put_analysis(o->in, o->table, &r, &o->analyses[i]);
-    return stream_end(o->results, s->step, d);
+    status = put_analyses(o, &r, d);
+    return status ? status : stream_end(o->results, s->step, d);
 }
 
 /* ---- at the end ---- */
@@ -129,7 +145,7 @@ int results_scalars(interp *in, diag *d) {
     const outputs *o = output_list_of(in);
     fputs("quantity,unit,value\n", out);
     for (size_t i = 0; i < o->nanalyses; i++)
-        if (!o->analyses[i].style)
+        if (!o->analyses[i].style && !o->analyses[i].bins)
             put_first_time(out, &o->analyses[i]);
     const char *name;
     for (size_t i = 0; (name = interp_formula(in, i)); i++) {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a run leaves for the ensemble it belongs to (-results), in its folder, in SI units:
  *
- *   results.csv   step,time,quantity,unit,value: at each thermo row, every column and every analysis by its ID
+ *   results.csv   step,time,quantity,unit,value: at each thermo row, every column and every analysis by its ID; bins
+ *                 as ID.count[3]
  *   scalars.csv   quantity,unit,value: at the end, what first_time analyses saw (`never`: nothing) and the value of
  *                 every `equal` variable that is one number
  *

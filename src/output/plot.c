@@ -17,7 +17,7 @@ static const struct {
     const char *end, *terminal;
 } kinds[] = {
     {".svg", "svg size 480,360 font 'Helvetica,13' linewidth 1.2 noenhanced background rgb 'white'"},
-    {".png", "pngcairo size 1440,1080 font 'Helvetica,30' linewidth 2.5 noenhanced"},
+    {".png", "pngcairo size 1440,1080 font 'Helvetica,30' linewidth 2.5 pointscale 2.5 noenhanced"},
     {".pdf", "pdfcairo size 8cm,6cm font 'Helvetica,9' linewidth 1 noenhanced"},
 };
 
@@ -54,98 +54,227 @@ static void put_label(FILE *out, const char *axis, const char *name, dim d) {
     fputc('\n', out);
 }
 
-/* Of the series on one side: its own name where it is alone; the legend has them otherwise. */
-static void put_side(FILE *out, const char *axis, const plot_series *y, size_t count, bool right) {
-    const plot_series *first = NULL;
-    size_t n = 0;
-    for (size_t i = 0; i < count; i++)
-        if (!dim_equal(y[i].d, y[0].d) == right) {
-            first = first ? first : &y[i];
-            n++;
-        }
-    if (first)
-        put_label(out, axis, n == 1 ? first->name : "", first->d);
+static void put_given_label(FILE *out, const char *axis, const char *text) {
+    fprintf(out, "set %s ", axis);
+    put_quoted(out, text);
+    fputc('\n', out);
 }
 
-static void put_number(FILE *out, const plot_series *s, size_t row) {
-    char digits[FIELD_ROOM], unit[48];
-    double divisor = readable_unit(s->d, unit);
-    fprintf(out, "%s ", field_number(s->values[row] / divisor, digits));
+static bool is_right(const plot_diagram *p, size_t i) {
+    return !dim_equal(p->curves[i].d, p->curves[0].d);
 }
 
-static void put_data(FILE *out, const plot_series *x, const plot_series *y, size_t count, size_t rows) {
-    fputs("$data << EOD\n", out);
-    for (size_t row = 0; row < rows; row++) {
-        put_number(out, x, row);
-        for (size_t i = 0; i < count; i++)
-            put_number(out, &y[i], row);
-        fputc('\n', out);
-    }
-    fputs("EOD\n", out);
-}
-
-/* Numbers that are all the same have no range of their own. */
-static void put_range(FILE *out, const char *axis, const plot_series *all, size_t count, size_t rows, dim d) {
-    double low = INFINITY, high = -INFINITY;
-    char unit[48];
-    double divisor = readable_unit(d, unit);
-    for (size_t i = 0; i < count; i++)
-        for (size_t row = 0; row < rows; row++)
-            if (dim_equal(all[i].d, d)) {
-                low = fmin(low, all[i].values[row] / divisor);
-                high = fmax(high, all[i].values[row] / divisor);
-            }
-    double room = low == 0 ? 1 : 0.1 * fabs(low);
-    if (low == high)
-        fprintf(out, "set %s [%g:%g]\n", axis, low - room, high + room);
-}
-
-static bool has_right_side(const plot_series *y, size_t count) {
-    for (size_t i = 1; i < count; i++)
-        if (!dim_equal(y[i].d, y[0].d))
+static bool has_right_side(const plot_diagram *p) {
+    for (size_t i = 1; i < p->count; i++)
+        if (is_right(p, i))
             return true;
     return false;
 }
 
-char *plot_script(const plot_series *x, const plot_series *y, size_t count, size_t rows, const char *path) {
+/* Of the curves on one side: their name where they share it; the legend has them otherwise. */
+static void put_side(FILE *out, const char *axis, const plot_diagram *p, bool right) {
+    const plot_curve *first = NULL;
+    bool same = true;
+    for (size_t i = 0; i < p->count; i++)
+        if (is_right(p, i) == right) {
+            first = first ? first : &p->curves[i];
+            same = same && strcmp(first->axis, p->curves[i].axis) == 0;
+        }
+    if (first)
+        put_label(out, axis, same ? first->axis : "", first->d);
+}
+
+static void put_labels(FILE *out, const plot_diagram *p) {
+    if (p->x_label)
+        put_given_label(out, "xlabel", p->x_label);
+    else
+        put_label(out, "xlabel", p->x_name, p->x_dim);
+    if (p->y_label)
+        put_given_label(out, "ylabel", p->y_label);
+    else
+        put_side(out, "ylabel", p, false);
+    put_side(out, "y2label", p, true);
+}
+
+static void put_number(FILE *out, const double *values, size_t row, double divisor) {
+    char digits[FIELD_ROOM];
+    if (values)
+        fprintf(out, "%s ", field_number(values[row] / divisor, digits));
+}
+
+/* A block a curve: x, y, the band, the end of the box. */
+static void put_data(FILE *out, const plot_diagram *p) {
+    char unit[48];
+    double x_divisor = readable_unit(p->x_dim, unit);
+    for (size_t i = 0; i < p->count; i++) {
+        const plot_curve *c = &p->curves[i];
+        double divisor = readable_unit(c->d, unit);
+        fprintf(out, "$data%zu << EOD\n", i + 1);
+        for (size_t row = 0; row < c->n; row++) {
+            put_number(out, c->x, row, x_divisor);
+            put_number(out, c->y, row, divisor);
+            put_number(out, c->low, row, divisor);
+            put_number(out, c->high, row, divisor);
+            put_number(out, c->x_end, row, x_divisor);
+            fputc('\n', out);
+        }
+        fputs("EOD\n", out);
+    }
+}
+
+/* Least and largest of x, or of all that stands on one side. */
+static void find_range(const plot_diagram *p, bool of_x, bool right, double range[2]) {
+    range[0] = INFINITY;
+    range[1] = -INFINITY;
+    for (size_t i = 0; i < p->count; i++) {
+        const plot_curve *c = &p->curves[i];
+        const double *all[] = {of_x ? c->x : c->y, of_x ? c->x_end : c->low, of_x ? NULL : c->high};
+        for (size_t k = 0; k < 3 && (of_x || is_right(p, i) == right); k++)
+            for (size_t row = 0; row < c->n && all[k]; row++) {
+                range[0] = fmin(range[0], all[k][row]);
+                range[1] = fmax(range[1], all[k][row]);
+            }
+    }
+}
+
+/* Numbers that are all the same have no range of their own. */
+static void put_range(FILE *out, const char *axis, const double range[2], dim d) {
+    char unit[48];
+    double low = range[0] / readable_unit(d, unit), room = low == 0 ? 1 : 0.1 * fabs(low);
+    if (range[0] == range[1])
+        fprintf(out, "set %s [%g:%g]\n", axis, low - room, low + room);
+}
+
+static void put_ranges(FILE *out, const plot_diagram *p) {
+    double range[2];
+    find_range(p, true, false, range);
+    put_range(out, "xrange", range, p->x_dim);
+    find_range(p, false, false, range);
+    put_range(out, "yrange", range, p->curves[0].d);
+    find_range(p, false, true, range);
+    for (size_t i = 0; i < p->count; i++)
+        if (is_right(p, i)) {
+            put_range(out, "y2range", range, p->curves[i].d);
+            return;
+        }
+}
+
+/* As many columns as their names leave room for. */
+static void put_key(FILE *out, const plot_diagram *p) {
+    size_t longest = 0;
+    for (size_t i = 0; i < p->count; i++)
+        longest = strlen(p->curves[i].name) > longest ? strlen(p->curves[i].name) : longest;
+    size_t columns = longest > (has_right_side(p) ? 18 : 32) ? 1 : longest > 14 ? 2 : 3;
+    fprintf(out, "set key above left horizontal reverse Left samplen 1.5 width 1 maxcols %zu noautotitle\n", columns);
+}
+
+static void put_axes(FILE *out, const plot_diagram *p) {
+    if (p->log_x)
+        fputs("set logscale x\nset autoscale xfix\n", out);
+    if (p->log_y)
+        fputs("set logscale y\n", out);
+    else
+        fputs("set offsets 0, 0, graph 0.05, 0\n", out);
+    if (p->shape == PLOT_BOXES && !p->log_y)
+        fputs("set yrange [0:*]\nset offsets graph 0.02, graph 0.02, graph 0.05, 0\n", out);
+    if (p->shape == PLOT_POINTS && !p->log_x)
+        fputs("set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n", out);
+    if (has_right_side(p))
+        fputs("set border 11\nset y2tics out scale 0.6\n", out);
+}
+
+/* ---- what is drawn of a curve ---- */
+
+/* The title of what stands for the curve in the legend. */
+static void put_title(FILE *out, const plot_diagram *p, size_t i) {
+    fputs(" title ", out);
+    put_quoted(out, p->count > 1 ? p->curves[i].name : "");
+}
+
+/* The columns of $data: of bins the middle stands for x. */
+static void put_using(FILE *out, const plot_diagram *p, size_t i, const char *behind, bool first) {
+    const plot_curve *c = &p->curves[i];
+    const char *x = !c->x_end ? "1" : c->low ? "(0.5*($1+$5))" : "(0.5*($1+$3))";
+    fprintf(out, "%s $data%zu using %s:%s axes x1y%d", first ? "" : ",", i + 1, x, behind, is_right(p, i) ? 2 : 1);
+}
+
+/* Colours begin again behind the last, with other dashes. */
+static void put_line(FILE *out, size_t i, double width) {
+    fprintf(out, " linewidth %g linecolor rgb '%s' dashtype %zu", width, colors[i % COLORS], i / COLORS + 1);
+}
+
+static void put_curve(FILE *out, const plot_diagram *p, size_t i, bool first) {
+    const plot_curve *c = &p->curves[i];
+    if (p->shape == PLOT_BOXES) {
+        put_using(out, p, i, c->low ? "2:1:5:(0):2" : "2:1:3:(0):2", first);
+        fprintf(out, " with boxxyerror fillcolor rgb '%s' fillstyle transparent solid 0.4 border linecolor rgb '%s'",
+                colors[i % COLORS], colors[i % COLORS]);
+    } else {
+        put_using(out, p, i, "2", first);
+        fputs(" with lines", out);
+        put_line(out, i, p->shape == PLOT_LINE ? 2 : 1);
+    }
+    put_title(out, p, i);
+}
+
+/* Below the line its shade; on boxes and points their bars. */
+static void put_band(FILE *out, const plot_diagram *p, size_t i, bool first) {
+    if (p->shape == PLOT_LINE) {
+        put_using(out, p, i, "3:4", first);
+        fprintf(out, " with filledcurves fillstyle transparent solid 0.25 noborder linecolor rgb '%s'",
+                colors[i % COLORS]);
+        return;
+    }
+    if (p->shape == PLOT_BOXES) { /* yerrorbars would leave a white gap */
+        put_using(out, p, i, "3:(0):($4-$3)", first);
+        fputs(" with vectors heads size graph 0.012,90 linewidth 1.2 linecolor rgb '#000000'", out);
+        return;
+    }
+    put_using(out, p, i, "2:3:4", first);
+    fprintf(out, " with yerrorbars pointtype 7 pointsize 0.8 linewidth 1.2 linecolor rgb '%s'", colors[i % COLORS]);
+}
+
+static void put_plot(FILE *out, const plot_diagram *p) {
+    bool first = true;
+    fputs("plot", out);
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t i = 0; i < p->count; i++) {
+            bool lower = (p->shape == PLOT_LINE) == (pass == 0); /* shades first, bars last */
+            if (lower && !p->curves[i].low)
+                continue;
+            (lower ? put_band : put_curve)(out, p, i, first);
+            first = false;
+        }
+    fputc('\n', out);
+}
+
+char *plot_script(const plot_diagram *p, const char *path) {
     char *text = NULL;
     size_t size;
     FILE *out = open_memstream(&text, &size);
-    bool right = has_right_side(y, count);
     fprintf(out, "set encoding utf8\nset terminal %s\nset output ", plot_terminal(path));
     put_quoted(out, path);
-    fputs("\nset datafile missing 'nan'\nset border 3 linewidth 1\nset tics nomirror out scale 0.6\n"
-          "set key above left horizontal reverse Left samplen 1.5 width 1 noautotitle\nset offsets 0, 0, graph 0.05, "
-          "graph 0.02\n",
+    fputs("\nset datafile missing 'nan'\nset border 3 linewidth 1\nset tics nomirror out scale 0.6\nset "
+          "pointintervalbox 0\n",
           out);
-    if (right)
-        fputs("set border 11\nset y2tics out scale 0.6\n", out);
-    put_label(out, "xlabel", x->name, x->d);
-    put_range(out, "xrange", x, 1, rows, x->d);
-    put_range(out, "yrange", y, count, rows, y[0].d);
-    put_side(out, "ylabel", y, count, false);
-    put_side(out, "y2label", y, count, true);
-    put_data(out, x, y, count, rows);
-    fputs("plot", out);
-    for (size_t i = 0; i < count; i++) {
-        bool on_right = !dim_equal(y[i].d, y[0].d);
-        fprintf(out, "%s $data using 1:%zu axes x1y%d with lines linewidth 2 linecolor rgb '%s' title ", i ? "," : "",
-                i + 2, on_right ? 2 : 1, colors[i % COLORS]);
-        put_quoted(out, count > 1 ? y[i].name : "");
-    }
-    fputc('\n', out);
+    put_key(out, p);
+    put_axes(out, p);
+    put_labels(out, p);
+    put_ranges(out, p);
+    put_data(out, p);
+    put_plot(out, p);
     fclose(out);
     return text;
 }
 
-int plot_draw(const plot_series *x, const plot_series *y, size_t count, size_t rows, const char *path, diag *d) {
+int plot_draw(const plot_diagram *p, const char *path, diag *d) {
     static const char *const words[] = {"gnuplot", "-", NULL};
     if (path_make_folders(path, d))
         return SARCINA_ERROR;
     process *gnuplot = process_open(words, d);
     if (!gnuplot)
         return SARCINA_ERROR;
-    char *script = plot_script(x, y, count, rows, path);
+    char *script = plot_script(p, path);
     int status = process_write(gnuplot, script, strlen(script), d);
     free(script);
     return process_close(gnuplot, status ? NULL : d) ? SARCINA_ERROR : status;

@@ -260,8 +260,30 @@ static bool has_group(const args *a, int group) {
     return false;
 }
 
+/* Bare words take whatever comes: of a misspelt keyword among them a missing one tells. */
+static bool refuse_swallowed(const args *a, diag *d) {
+    name_list l = {0};
+    for (size_t i = 0; i < a->form->nkey; i++)
+        names_add(&l, a->form->key[i].name);
+    for (size_t i = 1; i < a->form->nhead; i++) {
+        const argument *v = &a->values[i];
+        bool words = a->form->head[i].kind == SLOT_WORD && a->form->head[i].many;
+        for (size_t k = 1; words && k < v->n; k++) {
+            if (!names_nearest(&l, v->texts[k]))
+                continue;
+            diag_error(d, "%s has no keyword '%s'", a->form->head[0].name, v->texts[k]);
+            names_suggest(&l, v->texts[k], "keywords", d);
+            diag_place(d, v->spans[k]);
+            return true;
+        }
+    }
+    return false;
+}
+
 static int refuse_missing(const args *a, const slot *s, reader *r, diag *d) {
     char names[256];
+    if (refuse_swallowed(a, d))
+        return SARCINA_ERROR;
     size_t used = (size_t)snprintf(names, sizeof names, "%s", s->name);
     for (size_t i = 0; s->group && i < a->form->nkey && used + 60 < sizeof names; i++) {
         const slot *other = &a->form->key[i];

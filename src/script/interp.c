@@ -84,6 +84,10 @@ double interp_unit(const interp *in, dim d) {
     return in->units == UNITS_SI ? 1 : dim_from_engine(1, d);
 }
 
+units *interp_units(const interp *in) {
+    return in->host->units;
+}
+
 void interp_restart_random(interp *in) {
     in->draws = 0;
 }

@@ -26,6 +26,9 @@ bool interp_in_loop(const interp *in); /* a body of for, while or repeat is runn
 /* The units of bare numbers of dimension d, in SI: 1 under si. */
 double interp_unit(const interp *in, dim d);
 
+/* The table of units, to read texts of files with. */
+units *interp_units(const interp *in);
+
 /* Each prints one line; the line end is added. */
 void interp_print(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3))); /* screen and log */
 void interp_screen(interp *in, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -15,25 +15,25 @@ syntax keyword sarcinaValue relaxed shapex shapey shapez speed stage straightnes
 syntax keyword sarcinaValue thickness time ux uy uz verticalised volume vx vy vz wall x y zmax zmin
 syntax match sarcinaValue /\<\%(species\)\>/
 
-syntax keyword sarcinaKeyword abs along angle append approx aspect axes axis background bins branch ces
-syntax keyword sarcinaKeyword clamp coil color contact cvdw density diameter draw epsilon every filament
-syntax keyword sarcinaKeyword file fluid form format fps fraction g gap glide hand handover hi in jitter k
-syntax keyword sarcinaKeyword kappa keep legend length lo lognormal long map mass maxtry method normal
-syntax keyword sarcinaKeyword orient origin overlap overwrite pad pairs particles pitch probability radius
-syntax keyword sarcinaKeyword range rate ratio reach rel scalebar screen sd short side size skin snap
-syntax keyword sarcinaKeyword springs step then to tol tries uniform until upto view vs where within z
-syntax keyword sarcinaKeyword zoom
-syntax match sarcinaKeyword /\<\%(break\|group\|grow\|relax\|units\)\>/
+syntax keyword sarcinaKeyword abs along angle append approx aspect at axes axis background band bins
+syntax keyword sarcinaKeyword branch ces clamp coil color contact cvdw density diameter draw epsilon every
+syntax keyword sarcinaKeyword filament file fluid form format fps fraction from g gap glide hand handover
+syntax keyword sarcinaKeyword hi in jitter k kappa keep legend length lo lognormal long map mass maxtry
+syntax keyword sarcinaKeyword method normal orient origin overlap overwrite pad pairs particles pitch
+syntax keyword sarcinaKeyword probability radius range rate ratio reach rel scalebar screen sd short side
+syntax keyword sarcinaKeyword size skin snap springs step then to tol tries uniform until upto view vs
+syntax keyword sarcinaKeyword where within xlabel ylabel z zoom
+syntax match sarcinaKeyword /\<\%(break\|group\|grow\|log\|relax\|show\|units\)\>/
 
-syntax keyword sarcinaStyle INF all anchor auto balanced bend bio birth block both bs32 cividis closest
-syntax keyword sarcinaStyle coccus collision colony coolwarm csv custom cylinder damping default dlvo
-syntax keyword sarcinaStyle dopri5 draft dynamic equal error euler exponential fast first_time flexible
-syntax keyword sarcinaStyle front getenv gravity gray grid histogram image inferno internal iso left
-syntax keyword sarcinaStyle linear list magma midpoint mother movie nearer no none now off on one out
-syntax keyword sarcinaStyle paper plane planes plasma poisson povray profile r random reference
-syntax keyword sarcinaStyle regularised remodel right rk4 rk8pd rkf45 rod si single sphere stick
-syntax keyword sarcinaStyle stiffness string top twist verlet viridis vtk xy xyz yes
-syntax match sarcinaStyle /\<\%(link\|log\)\>/
+syntax keyword sarcinaStyle INF all anchor auto balanced bend bio birth block both bs32 ci95 cividis
+syntax keyword sarcinaStyle closest coccus collision colony coolwarm count csv custom cylinder damping
+syntax keyword sarcinaStyle default dlvo dopri5 draft dynamic equal error euler exponential fast
+syntax keyword sarcinaStyle first_time flexible front getenv gravity gray grid histogram image inferno
+syntax keyword sarcinaStyle internal iso left linear list magma mean midpoint mother movie nearer no
+syntax keyword sarcinaStyle none now off on one out paper plane planes plasma poisson povray profile r
+syntax keyword sarcinaStyle random reference regularised remodel right rk4 rk8pd rkf45 rod si single
+syntax keyword sarcinaStyle sphere stick stiffness string table top twist verlet viridis vtk xy xyz yes
+syntax match sarcinaStyle /\<\%(link\)\>/
 
 syntax match sarcinaFunction /\<\%(abs\|acos\|asin\|atan\|atan2\|ceil\|ci95\|cos\|count\|defined\|descends\|exp\|floor\|fraction\|hypot\|is_file\|ln\|log10\|max\|mean\|median\|min\|normal\|poisson\|quantile\|random\|round\|sd\|sign\|sin\|sqrt\|sum\|tan\|ternary\)\ze(/
 syntax match sarcinaCommand /^\s*\%(accuracy\|analyze\|apropos\|attach\|clear\|create_cells\|delete_cells\|division\|dump\|dump_modify\|echo\|edit\|expect\|expect_error\|force\|group\|grow\|growth\|help\|include\|info\|integrator\|link\|log\|neighbor\|plot\|print\|quit\|read_data\|read_restart\|region\|relax\|restart\|run\|save\|seed\|set\|shell\|show\|species\|substratum\|thermo\|thermo_modify\|thermo_style\|threads\|undo\|undump\|units\|variable\|warn\|watch\|write_data\|write_dump\|write_restart\)\ze\%(\s\|$\)/
