@@ -22,7 +22,8 @@ typedef enum {
     RNG_FRAME = 10,    /* frame of a coccus that divides along planes, at its first division */
     RNG_BRANCH = 11,   /* whether a daughter begins a branch */
     RNG_ATTACH = 12,   /* how many cells attach in a step, and each one's mass, axis and place */
-    RNG_SNAP = 13      /* side to which a daughter snaps at division */
+    RNG_SNAP = 13,     /* side to which a daughter snaps at division */
+    RNG_DISPLACE = 14  /* direction in which tradeoff displaces a particle; step: its place in the cell */
 } rng_purpose;
 
 typedef struct rng rng;

@@ -34,6 +34,7 @@
     X(dump)                                                                                                            \
     X(analyze)                                                                                                         \
     X(plot)                                                                                                            \
+    X(tradeoff)                                                                                                        \
     X(run)                                                                                                             \
     X(restart)                                                                                                         \
     X(clear)                                                                                                           \

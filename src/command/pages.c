@@ -48,8 +48,12 @@ static const command_page pages[] = {
      "A primitive: run repeats it, and writes output, which this does not.", "run growth division"},
     {"relax", "Running", "Lets the cells move under their forces",
      "A primitive: run repeats it, and writes output, which this does not.", "run accuracy integrator force"},
-    {"accuracy", "Running", "Chooses how exactly the motion is solved", NULL, "integrator relax"},
+    {"accuracy", "Running", "Chooses how exactly the motion is solved", NULL, "tradeoff integrator relax"},
     {"integrator", "Running", "Chooses the method of the relaxation in detail", NULL, "accuracy relax"},
+    {"tradeoff", "Running", "Measures on this scene how exact and how dear each preset of accuracy is",
+     "Every preset begins from the scene as it stands, which is afterwards as it was, to the bit: seeds, ids, links, "
+     "clock, outputs and undo.",
+     "accuracy integrator relax run"},
     {"neighbor", "Running", "Sets how neighbours are found", NULL, "force threads"},
     {"threads", "Running", "Sets how many processor cores are used", NULL, "neighbor"},
     {"seed", "Running", "Seeds every random number", NULL, "units variable"},

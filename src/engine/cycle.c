@@ -87,7 +87,7 @@ int scene_relax(scene *s, double time, double force, relax_result *result, diag 
     const mechanics_stats from = mechanics_statistics(s->mechanics);
     snapshot *before = snapshot_take(s);
     mechanics_arrange(s->colony); /* rows in the order of space: faster, the same bits */
-    const relax_goal goal = {time, force, s->interrupt};
+    const relax_goal goal = {.time = time, .force = force, .interrupt = s->interrupt};
     int status = scene_prepare(s, d);
     if (status == SARCINA_OK)
         status = relax_run(s->mechanics, &s->relax, &goal, result, d);

@@ -58,7 +58,10 @@ static bool is_over(run *r) {
     if (r->goal->interrupt && *r->goal->interrupt)
         return true;
     r->result->stop = RELAX_TIME;
-    return r->mo.time >= r->goal->time;
+    if (r->mo.time >= r->goal->time)
+        return true;
+    r->result->stop = RELAX_EVALUATIONS;
+    return r->goal->evaluations && r->mo.evaluations >= r->goal->evaluations;
 }
 
 /* Lets links form and break, at fixed times so that what forms does not depend on the integrator's steps. */

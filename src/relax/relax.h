@@ -41,9 +41,10 @@ typedef struct relax_goal {
     double time;                            /* at most this long, s */
     double force;                           /* stop when the largest net force is below this; 0: only by time */
     const volatile sig_atomic_t *interrupt; /* looked at between accepted steps; NULL: never */
+    uint64_t evaluations;                   /* stop once there have been so many; 0: no bound */
 } relax_goal;
 
-typedef enum { RELAX_TIME, RELAX_FORCE, RELAX_INTERRUPTED } relax_stop;
+typedef enum { RELAX_TIME, RELAX_FORCE, RELAX_INTERRUPTED, RELAX_EVALUATIONS } relax_stop;
 
 typedef struct relax_result {
     relax_stop stop;

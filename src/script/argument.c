@@ -428,7 +428,7 @@ static int read_kind(args *a, const slot *s, argument *out, reader *r, diag *d) 
         break;
     }
     bool words = s->kind == SLOT_WORDS || (s->many && s->kind == SLOT_WORD);
-    return words ? argument_read_words(a, out, r, d) : read_one_word(a, s, out, r, d);
+    return words ? argument_read_words(a, s, out, r, d) : read_one_word(a, s, out, r, d);
 }
 
 int argument_read(args *a, const slot *s, argument *out, reader *r, diag *d) {

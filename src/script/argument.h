@@ -71,7 +71,7 @@ int argument_read_numbers(args *a, const slot *s, size_t n, argument *out, reade
 int argument_read_orient(args *a, const slot *s, argument *out, reader *r, diag *d);
 int argument_read_view(args *a, const slot *s, argument *out, reader *r, diag *d);
 int argument_read_column_format(args *a, const slot *s, argument *out, reader *r, diag *d);
-int argument_read_words(args *a, argument *out, reader *r, diag *d);
+int argument_read_words(args *a, const slot *s, argument *out, reader *r, diag *d);
 
 /* The next word, which must be there. */
 int argument_next_word(args *a, const slot *s, reader *r, word *w, diag *d);

@@ -107,7 +107,7 @@ int argument_read_column_format(args *a, const slot *s, argument *out, reader *r
     return refuse(r, &w, d);
 }
 
-int argument_read_words(args *a, argument *out, reader *r, diag *d) {
+int argument_read_words(args *a, const slot *s, argument *out, reader *r, diag *d) {
     word w;
     int status;
     while (!(status = reader_peek(r, &w, d)) && w.text) {
@@ -120,5 +120,11 @@ int argument_read_words(args *a, argument *out, reader *r, diag *d) {
         out->texts[out->n++] = alloc_copy(w.text);
         reader_take(r, &w);
     }
-    return status;
+    if (status || out->n > 0 || s->optional)
+        return status;
+    status = argument_next_word(a, s, r, &w, d);
+    if (status)
+        return status;
+    diag_error(d, "%s: expected a word, not the keyword '%s'", s->name, w.text);
+    return refuse(r, &w, d);
 }
