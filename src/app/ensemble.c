@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "app/ensemble.h"
 
+#include "app/lock.h"
 #include "app/merge.h"
 #include "app/plan.h"
 #include "app/workers.h"
@@ -65,7 +66,8 @@ static void ended(void *self, size_t job, int code, double seconds) {
     put_duration(seconds, duration, sizeof duration);
     r->code = code;
     r->seconds = seconds;
-    r->state = code == 0 ? RUN_DONE : code == SARCINA_INTERRUPTED ? RUN_INTERRUPTED : RUN_FAILED;
+    bool stopped = code == SARCINA_INTERRUPTED || (program_ending() && code > 128);
+    r->state = code == 0 ? RUN_DONE : stopped ? RUN_INTERRUPTED : RUN_FAILED;
     if (r->state == RUN_DONE && plan_mark_done(g->plan, r, &g->trouble))
         r->state = RUN_FAILED;
     g->ended++;
@@ -83,7 +85,12 @@ static void ended(void *self, size_t job, int code, double seconds) {
 
 static bool stopped(void *self) {
     const progress *g = self;
-    return *g->interrupt || g->trouble.status;
+    return *g->interrupt || program_ending() || g->trouble.status;
+}
+
+static int ending(void *self) {
+    (void)self;
+    return program_ending();
 }
 
 /* The first line that a failed run wrote to its errors. */
@@ -142,8 +149,23 @@ static int cores(void) {
     return n < 1 ? 1 : n > 1024 ? 1024 : (int)n;
 }
 
-static int prepare(program *host, const options *o, plan *p, diag *d) {
+/* One ensemble at a time in NAME.runs. */
+static int take_lock(lock *l, const plan *p, diag *d) {
+    bool unlocked;
+    char *folder = alloc_format("%s.runs", p->name);
+    int status = lock_take(l, folder, &unlocked, d);
+    if (!status && unlocked)
+        fprintf(stderr,
+                "warning: the file system of %s has no locks: nothing keeps another ensemble from working in it\n",
+                folder);
+    free(folder);
+    return status;
+}
+
+static int prepare(program *host, const options *o, plan *p, lock *l, diag *d) {
     int status = check_script(host, o, p, d);
+    if (!status)
+        status = take_lock(l, p, d);
     if (!status)
         status = plan_look(p, d);
     return status ? status : make_folders(p, d);
@@ -156,7 +178,7 @@ static void run_missing(progress *g, const options *o, const worker_job *jobs, b
     for (size_t i = 0; i < p->nruns && prepared; i++)
         if (p->runs[i].state != RUN_DONE)
             due[g->total++] = i;
-    worker_host host = {g, ended, draw, stopped};
+    worker_host host = {g, ended, draw, stopped, ending};
     int ranks = workers_mpi_ranks();
     g->at_once = ranks > 1 ? ranks : o->workers ? o->workers : cores();
     if (ranks > 1)
@@ -183,18 +205,24 @@ static int conclude(const progress *g, diag *d) {
            p->nruns - done - failed);
     if (done)
         printf("of those that are done: %s.ensemble.csv, %s.scalars.csv, %s.summary.csv\n", p->name, p->name, p->name);
+    if (program_ending())
+        return 128 + program_ending();
     return *g->interrupt ? SARCINA_INTERRUPTED : done < p->nruns ? SARCINA_ERROR : SARCINA_OK;
 }
 
 static int lead(program *host, const options *o, plan *p, const worker_job *jobs, diag *d) {
     progress g = {.plan = p, .interrupt = host->host.interrupt, .terminal = isatty(STDERR_FILENO)};
-    int status = prepare(host, o, p, d);
+    lock held = {.file = -1};
+    int status = prepare(host, o, p, &held, d);
     run_missing(&g, o, jobs, status == SARCINA_OK);
     if (g.trouble.status)
         *d = g.trouble;
-    if (status || g.trouble.status)
-        return status ? status : (int)g.trouble.status;
-    return conclude(&g, d);
+    if (!status)
+        status = (int)g.trouble.status;
+    if (!status)
+        status = conclude(&g, d);
+    lock_release(&held);
+    return status;
 }
 
 int ensemble_main(program *host, const options *o) {
@@ -205,11 +233,12 @@ int ensemble_main(program *host, const options *o) {
         worker_job *jobs = alloc_zeroed(p.nruns, sizeof *jobs);
         for (size_t i = 0; i < p.nruns; i++)
             jobs[i] = (worker_job){p.runs[i].folder, p.runs[i].argv};
+        program_catch_ending();
         workers_mpi_begin();
         if (workers_mpi_rank() == 0)
             status = lead(host, o, &p, jobs, &d);
         else
-            workers_mpi_serve(jobs);
+            workers_mpi_serve(jobs, program_ending);
         workers_mpi_end();
         free(jobs);
         plan_free(&p);

@@ -128,7 +128,7 @@ static int run_program(const options *o) {
         program_complain(&d);
         return status;
     }
-    program_catch_interrupts(&p);
+    program_catch_interrupts(repl_is_wanted(o));
     if (o->test) {
         status = test_run_all(&p, o);
     } else if ((o->replicates || o->nsweeps) && !o->check) {

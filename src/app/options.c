@@ -156,7 +156,7 @@ char *options_help(void) {
     }
     page_put(
         &p, "--NAME is the same as -NAME; -h is -help, -v is -var. Exit codes: 0 done, 1 error in the script, 2 wrong\n"
-            "command line, 3 numerical failure, 4 failed expect, 130 interrupted.\n");
+            "command line, 3 numerical failure, 4 failed expect, 130 interrupted,\n143 ended by SIGTERM.\n");
     return p.chars;
 }
 

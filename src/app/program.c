@@ -16,7 +16,7 @@
 #include <time.h>
 #include <unistd.h>
 
-static volatile sig_atomic_t interrupted, patient;
+static volatile sig_atomic_t interrupted, patient, ending;
 
 static void on_interrupt(int signal_number) {
     static const char warning[] = "\nthe command has not come to an end yet; Ctrl-C once more ends sarcina\n";
@@ -33,11 +33,41 @@ static void on_interrupt(int signal_number) {
     interrupted++;
 }
 
-void program_catch_interrupts(program *p) {
-    (void)p;
+static bool is_ignored(int signal_number) {
+    struct sigaction action;
+    return sigaction(signal_number, NULL, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+void program_catch_interrupts(bool prompt) {
     struct sigaction action = {.sa_handler = on_interrupt};
     sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
+    if (prompt || !is_ignored(SIGINT))
+        sigaction(SIGINT, &action, NULL);
+}
+
+static void on_ending(int signal_number, siginfo_t *from, void *context) {
+    (void)context;
+    if (signal_number == SIGINT)
+        on_interrupt(signal_number);
+    if (signal_number != SIGINT && ending) {
+        signal(signal_number, SIG_DFL);
+        raise(signal_number);
+    }
+    if (signal_number != SIGINT || from->si_code <= 0) /* > 0: from the kernel, that is its terminal */
+        ending = signal_number;
+}
+
+void program_catch_ending(void) {
+    static const int signals[] = {SIGTERM, SIGHUP, SIGINT};
+    struct sigaction action = {.sa_sigaction = on_ending, .sa_flags = SA_SIGINFO};
+    sigemptyset(&action.sa_mask);
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
+        if (!is_ignored(signals[i]))
+            sigaction(signals[i], &action, NULL);
+}
+
+int program_ending(void) {
+    return ending;
 }
 
 void program_be_patient(void) {

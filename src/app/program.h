@@ -31,11 +31,18 @@ void program_end(program *p, interp *in);
 interp *program_interp(program *p, const options *o, diag *d);
 
 /* Ctrl-C sets the interrupt flag; a second one before it was looked at ends the program. At a prompt the second only
- * says that the command has not come to an end yet, and the third ends the program. */
-void program_catch_interrupts(program *p);
+ * says that the command has not come to an end yet, and the third ends the program. Elsewhere a SIGINT that whoever
+ * started the program has set to be ignored, as shells do for what they start in the background, stays so. */
+void program_catch_interrupts(bool prompt);
 void program_be_patient(void);
 bool program_is_interrupted(void);
 void program_clear_interrupt(void);
+
+/* From here on SIGTERM and SIGHUP (unless it is ignored: nohup) are caught, and tell this program to end what it has
+ * started; so does a SIGINT that comes from another process: what the terminal sends, those get themselves. Which
+ * signal it was; 0: none. A second one ends the program at once. */
+void program_catch_ending(void);
+int program_ending(void);
 
 /* "sarcina: error: ..." with help, on standard error. */
 void program_complain(const diag *d);

@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
@@ -81,6 +82,11 @@ static void look_after(slot *s, const worker_host *host) {
     host->ended(host->self, s->job, code, scene_clock() - s->since);
 }
 
+void workers_end(pid_t pid) {
+    if (pid > 0)
+        kill(pid, SIGTERM);
+}
+
 void workers_pause(void) {
     nanosleep(&(struct timespec){.tv_nsec = PAUSE_MILLISECONDS * 1000000L}, NULL);
 }
@@ -90,6 +96,8 @@ void workers_run(const worker_job *jobs, const size_t *due, size_t ndue, int at_
     size_t next = 0, running;
     do {
         running = 0;
+        for (int i = 0; i < at_once && host->ending(host->self); i++)
+            workers_end(slots[i].pid);
         for (int i = 0; i < at_once; i++) {
             look_after(&slots[i], host);
             if (!slots[i].pid && next < ndue && !host->stopped(host->self))

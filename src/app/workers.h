@@ -19,6 +19,7 @@ typedef struct worker_host {
     void (*ended)(void *self, size_t job, int code, double seconds); /* code: 128 + signal when it was killed */
     void (*waiting)(void *self, size_t running);                     /* a few times a second */
     bool (*stopped)(void *self);                                     /* no new jobs: those that run are waited for */
+    int (*ending)(void *self);                                       /* not 0: those that run are ended (SIGTERM) */
 } worker_host;
 
 /* Runs the jobs of `due` (ndue rows of jobs) in that order, at most `at_once` at a time, each a child of this
@@ -30,6 +31,9 @@ pid_t workers_start(const worker_job *job);
 
 /* Has the process ended? Does not wait. */
 bool workers_poll(pid_t pid, int *code);
+
+/* Asks it to end: what it has done of its run is lost. 0: there is none. */
+void workers_end(pid_t pid);
 
 /* A few hundredths of a second, between looks. */
 void workers_pause(void);

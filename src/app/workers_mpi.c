@@ -112,6 +112,8 @@ void workers_mpi_run(const worker_job *jobs, const size_t *due, size_t ndue, con
     bool idle = false; /* this rank has no more to do */
     ready_message m;
     while (!idle || released < others) {
+        if (host->ending(host->self))
+            workers_end(own.pid);
         if (ended(&own, &m))
             tell(host, &m);
         if (!own.pid) {
@@ -129,7 +131,7 @@ void workers_mpi_run(const worker_job *jobs, const size_t *due, size_t ndue, con
     }
 }
 
-void workers_mpi_serve(const worker_job *jobs) {
+void workers_mpi_serve(const worker_job *jobs, int (*ending)(void)) {
     child own = {0};
     ready_message m = {.job = JOB_NONE};
     for (;;) {
@@ -139,8 +141,11 @@ void workers_mpi_serve(const worker_job *jobs) {
         if (job == JOB_NONE)
             return;
         m = start(&own, jobs, job);
-        while (own.pid && !ended(&own, &m))
+        while (own.pid && !ended(&own, &m)) {
+            if (ending())
+                workers_end(own.pid);
             workers_pause();
+        }
     }
 }
 
@@ -163,8 +168,9 @@ void workers_mpi_run(const worker_job *jobs, const size_t *due, size_t ndue, con
     workers_run(jobs, due, ndue, 1, host);
 }
 
-void workers_mpi_serve(const worker_job *jobs) {
+void workers_mpi_serve(const worker_job *jobs, int (*ending)(void)) {
     (void)jobs;
+    (void)ending;
 }
 
 #endif

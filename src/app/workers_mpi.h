@@ -14,7 +14,7 @@ int workers_mpi_ranks(void);
 /* Rank 0: runs the jobs of `due` (rows of jobs), as workers_run does. Every rank has the same jobs. */
 void workers_mpi_run(const worker_job *jobs, const size_t *due, size_t ndue, const worker_host *host);
 
-/* The other ranks: runs what rank 0 hands out, until it has no more. */
-void workers_mpi_serve(const worker_job *jobs);
+/* The other ranks: runs what rank 0 hands out, until it has no more. ending(): not 0 once what runs must end. */
+void workers_mpi_serve(const worker_job *jobs, int (*ending)(void));
 
 #endif
