@@ -162,7 +162,7 @@ static void show_links(interp *in, const scene *s, bool bound, info_put put) {
 static bool is_preset(const relax_settings *r, const accuracy_preset *preset) {
     const relax_settings *p = &preset->settings;
     return r->integrator == p->integrator && r->step == p->step && r->tolerance == p->tolerance &&
-           r->segment == p->segment && r->most == p->most;
+           r->segment == p->segment && r->most == p->most && r->inertia == p->inertia;
 }
 
 static void show_relaxation(interp *in, const scene *s, info_put put) {

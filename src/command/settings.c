@@ -48,6 +48,8 @@ static int run_integrator(interp *in, const args *a, diag *d) {
         how.step = args_number(a, "step");
     if (args_given(a, "tol"))
         how.tolerance = args_number(a, "tol");
+    if (args_given(a, "inertia"))
+        how.inertia = args_number(a, "inertia");
     interp_scene(in)->relax = how;
     return SARCINA_OK;
 }
@@ -87,6 +89,7 @@ static const param integrator_params[] = {
     {"STYLE:word", "the method"},
     {"step=auto:time(0,)", "its step; without it, from the stiffness of the scene or by error control"},
     {"tol=auto:number(0,1)", "error a step in um and um/s, for those with error control"},
+    {"inertia=0:number[0,1)", "verlet, euler without step: masses grow to this part of t k_d, t the time relaxed"},
 };
 
 static const command_form forms[] = {
@@ -132,12 +135,13 @@ void command_settings(command_table *t) {
     for (size_t i = 0; i < accuracy_preset_count; i++)
         command_add_choice(t, accuracy_presets[i].name, accuracy_presets[i].summary);
     free(head);
-    const command_form integrator = {
-        .details = "For those who want more than 'accuracy' offers; the last of both counts.",
-        .example = "integrator verlet step 1ms\nintegrator euler\nintegrator rk4\nintegrator rkf45\nintegrator "
-                   "rk8pd\nintegrator bs32\nintegrator dopri5 tol 1e-3",
-        .flags = COMMAND_DECLARES,
-        .run = run_integrator};
+    const command_form integrator = {.details =
+                                         "For those who want more than 'accuracy' offers; the last of both counts.",
+                                     .example = "integrator verlet step 1ms\nintegrator verlet inertia 0.1\nintegrator "
+                                                "euler\nintegrator rk4\nintegrator rkf45\nintegrator "
+                                                "rk8pd\nintegrator bs32\nintegrator dopri5 tol 1e-3",
+                                     .flags = COMMAND_DECLARES,
+                                     .run = run_integrator};
     const char *names[INTEGRATOR_COUNT];
     for (int i = 0; i < INTEGRATOR_COUNT; i++)
         names[i] = integrator_styles[i]->name;

@@ -26,13 +26,16 @@ typedef struct relax_settings {
     double step;      /* fixed step, s; 0: from the present stiffness (verlet, rk4) or by error control */
     double tolerance; /* error a step, um and um/s (RMS over all components); 0: the integrator's own */
     double segment;   /* the integrator starts anew after this much time, s; 0: never (accuracy paper: 0.2 s) */
-    double most;      /* no step longer than this, s; 0: no bound */
+    double most;      /* no step longer than this, s (while masses are the particles' own); 0: no bound */
+    double inertia;   /* verlet, euler: masses grow to this part of t k_d, t the time relaxed; 0: they stay */
 } relax_settings;
 
 /* Presets by name: draft, fast, balanced, paper, reference. Row of a preset; -1. */
 typedef struct accuracy_preset {
-    const char *name, *summary;
+    const char *name, *summary; /* of method and step rule */
     relax_settings settings;
+    const char *validated; /* for what */
+    size_t validated_to;   /* cells; 0: nothing */
 } accuracy_preset;
 extern const accuracy_preset accuracy_presets[];
 extern const size_t accuracy_preset_count;

@@ -98,7 +98,7 @@ bool topic_row_accuracy(size_t i, page *name, page *text) {
     if (i >= accuracy_preset_count)
         return false;
     page_put(name, "%s", accuracy_presets[i].name);
-    page_put(text, "%s", accuracy_presets[i].summary);
+    page_put(text, "%s. Validated: %s", accuracy_presets[i].summary, accuracy_presets[i].validated);
     return true;
 }
 

@@ -9,6 +9,12 @@
  * Flexible cells may be far too stiff within for such steps: their flight is implicit (mechanics_flight) and holds what
  * acts within them, the kicks hold what acts from outside, and the step is that of the outside.
  *
+ * Masses may grow (relax_settings.inertia). The longest stable step goes as the root of the mass, and what the mass
+ * does passes: a mode of rate r moves as without inertia to r m / k_d, and those that have not decayed by the time t
+ * have r <= 1/t. With a mass of c t k_d inertia changes what still moves by no more than c, whatever t is; steps become
+ * longer as the root of t. This is mass scaling, as explicit finite elements have it (Olovsson, Simonsson & Unosson
+ * 2005, Int. J. Numer. Meth. Eng. 63:1436); without damping, and with flexible cells, masses stay as they are.
+ *
  * A step is refused when it leaves a number that is not finite, or moves a particle by more than half its radius: cells
  * could then pass through each other untouched. It is then halved, and tried at twice its length again later. */
 #include "relax/integrator.h"
@@ -26,21 +32,45 @@ static const double least_step = 5e-6, least_refused = 1e-7;
 /* Accepted steps between looks at the stiffness, and before a halved step is tried at twice its length. */
 enum { STEPS_BETWEEN_LOOKS = 50, STEPS_TO_RECOVER = 20 };
 
+/* Masses grow by steps of a seventh, up to as much as was measured. */
+static const double heavier_by = 1.15, heaviest = 10;
+
 typedef struct splitting {
     double fixed, most;
-    size_t n;    /* 3 x particles */
-    bool chains; /* flexible cells fly on their own */
+    double fades;        /* masses are this rate x time as large as at first, 1/s; 0: they stay */
+    double heavier;      /* the masses of the present step are this many times the particles' own */
+    double due;          /* when they grow again, s */
+    double least_radius; /* of all particles, um */
+    size_t n;            /* 3 x particles */
+    bool chains;         /* flexible cells fly on their own */
     bool started;
     bool stale;     /* the force is that of links as they were */
-    double stable;  /* from the stiffness (or as told), s */
+    double stable;  /* from the stiffness and the particles' own masses (or as told), s */
     double shorter; /* 1, 1/2, 1/4 ... after refusals */
     double h;       /* the step: divides the time left evenly */
     uint64_t left;  /* steps left of it */
     int since_look, since_refusal;
-    double factors_for;            /* the step that the factors hold for */
+    double factors_for[2];         /* the step and growth of masses that the factors hold for */
     double *kick, *decay, *flight; /* h / (2 m) and exp(-g h), for each component (n) */
     double *force, *trial_force, *x, *v, *mode, *memory;
 } splitting;
+
+/* With inertia c: c k_d / m, of the heaviest particle. */
+static double fading_rate(const relax_settings *how, const motion *mo) {
+    const double *mass = mechanics_mass(mo->m);
+    double most = 0;
+    for (size_t p = 0; p < mo->n; p++)
+        most = mass[p] > most ? mass[p] : most;
+    return how->inertia * mechanics_drag(mo->m) / most;
+}
+
+static double least_radius(const motion *mo) {
+    const double *radius = mechanics_radius(mo->m);
+    double least = (double)INFINITY;
+    for (size_t p = 0; p < mo->n; p++)
+        least = radius[p] < least ? radius[p] : least;
+    return least;
+}
 
 static void *create(const integrator_style *style, const relax_settings *how, const motion *mo) {
     (void)style;
@@ -59,6 +89,8 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     self->kick = self->decay + self->n;
     self->flight = self->kick + self->n;
     self->shorter = 1;
+    self->least_radius = least_radius(mo);
+    self->fades = self->fixed > 0 || self->chains ? 0 : fading_rate(how, mo);
     return self;
 }
 
@@ -90,7 +122,7 @@ static const double *force(const void *of) {
 
 /* Even steps to t1, none longer than the stable one. */
 static void plan(splitting *self, const motion *mo, double t1) {
-    double wanted = self->stable * self->shorter, left = t1 - mo->time;
+    double wanted = self->stable * self->shorter * sqrt(self->heavier), left = t1 - mo->time;
     self->left = wanted < left ? (uint64_t)ceil(left / wanted * (1 - 1e-12)) : 1;
     self->h = left / (double)self->left;
 }
@@ -110,14 +142,26 @@ static bool look(splitting *self, motion *mo, double t1) {
     return bearable >= least_step;
 }
 
+/* The masses of the time that has come. */
+static void let_fade(splitting *self, const motion *mo) {
+    double heavier = self->fades * mo->time;
+    self->heavier = heavier < 1 ? 1 : heavier < heaviest ? heavier : heaviest;
+    self->due = heavier < 1 ? heavier_by / self->fades : heavier_by * mo->time;
+    if (self->fades <= 0 || heavier >= heaviest)
+        self->due = (double)INFINITY;
+}
+
 static void prepare_factors(splitting *self, const motion *mo) {
-    if (self->factors_for == self->h)
+    if (self->factors_for[0] == self->h && self->factors_for[1] == self->heavier)
         return;
     const double *mass = mechanics_mass(mo->m);
-    double drag = mechanics_drag(mo->m);
+    double drag = mechanics_drag(mo->m), kick = 0, rate = 0, loss = 0;
     for (size_t p = 0; p < mo->n; p++) {
-        double rate = drag / mass[p], kick = 0.5 * self->h / mass[p];
-        double loss = Sleef_cinz_expm1d1_u10purec(-rate * self->h);
+        if (p == 0 || mass[p] != mass[p - 1]) {
+            rate = drag / (self->heavier * mass[p]);
+            kick = 0.5 * self->h / (self->heavier * mass[p]);
+            loss = Sleef_cinz_expm1d1_u10purec(-rate * self->h);
+        }
         for (size_t i = 3 * p; i < 3 * p + 3; i++) {
             self->kick[i] = kick;
             self->decay[i] = 1 + loss;
@@ -128,7 +172,8 @@ static void prepare_factors(splitting *self, const motion *mo) {
             self->flight[i] = 0;
         }
     }
-    self->factors_for = self->h;
+    self->factors_for[0] = self->h;
+    self->factors_for[1] = self->heavier;
 }
 
 /* Is the trial state finite, with no particle moved by more than half its radius? */
@@ -143,6 +188,25 @@ static bool is_sane(const splitting *self, const motion *mo) {
     return far == 0;
 }
 
+/* A kick (weight 1: of half a step) and a flight, of all components; false: refused. That none has gone far along any
+ * axis is seen in passing and suffices; else each particle is looked at. */
+static bool fly(splitting *self, const motion *mo, double weight) {
+    const double *restrict kick = self->kick, *restrict decay = self->decay, *restrict flight = self->flight;
+    const double *restrict x0 = mo->x, *restrict v0 = mo->v, *restrict f0 = self->force;
+    double *restrict x = self->x, *restrict v = self->v;
+    const double near = 0.5 * self->least_radius / sqrt(3) * (1 - 1e-12);
+    size_t far = self->chains;
+    for (size_t i = 0; i < self->n; i++) {
+        double kicked = v0[i] + weight * kick[i] * f0[i];
+        x[i] = x0[i] + flight[i] * kicked;
+        v[i] = decay[i] * kicked;
+        far += fabs(x[i] - x0[i]) <= near ? 0 : 1;
+    }
+    if (self->chains)
+        mechanics_flight(mo->m, self->h, self->x, self->v);
+    return far == 0 || is_sane(self, mo);
+}
+
 static bool has_finite_force(const splitting *self) {
     size_t lost = 0;
     for (size_t i = 0; i < self->n; i++)
@@ -152,19 +216,11 @@ static bool has_finite_force(const splitting *self) {
 
 /* One trial of velocity Verlet; false: refused. */
 static bool try_verlet(splitting *self, motion *mo) {
-    const double *restrict kick = self->kick, *restrict decay = self->decay, *restrict flight = self->flight;
-    const double *restrict x0 = mo->x, *restrict v0 = mo->v, *restrict f0 = self->force;
-    double *restrict x = self->x, *restrict v = self->v, *restrict f = self->trial_force;
-    for (size_t i = 0; i < self->n; i++) {
-        double kicked = v0[i] + kick[i] * f0[i];
-        x[i] = x0[i] + flight[i] * kicked;
-        v[i] = decay[i] * kicked;
-    }
-    if (self->chains)
-        mechanics_flight(mo->m, self->h, self->x, self->v);
-    if (!is_sane(self, mo))
+    if (!fly(self, mo, 1))
         return false;
     motion_force_outside(mo, self->x, self->trial_force);
+    const double *restrict kick = self->kick, *restrict f = self->trial_force;
+    double *restrict v = self->v;
     for (size_t i = 0; i < self->n; i++)
         v[i] += kick[i] * f[i];
     return has_finite_force(self);
@@ -172,14 +228,7 @@ static bool try_verlet(splitting *self, motion *mo) {
 
 /* One trial of semi-implicit Euler; false: refused. */
 static bool try_euler(splitting *self, motion *mo) {
-    for (size_t i = 0; i < self->n; i++) {
-        double kicked = mo->v[i] + 2 * self->kick[i] * self->force[i];
-        self->x[i] = mo->x[i] + self->flight[i] * kicked;
-        self->v[i] = self->decay[i] * kicked;
-    }
-    if (self->chains)
-        mechanics_flight(mo->m, self->h, self->x, self->v);
-    if (!is_sane(self, mo))
+    if (!fly(self, mo, 2))
         return false;
     motion_force_outside(mo, self->x, self->trial_force);
     return has_finite_force(self);
@@ -208,6 +257,7 @@ static bool begin(splitting *self, motion *mo, double t1) {
         self->shorter = 1;
         self->started = true;
         self->stale = false;
+        let_fade(self, mo);
         return look(self, mo, t1);
     }
     if (self->stale)
@@ -215,6 +265,10 @@ static bool begin(splitting *self, motion *mo, double t1) {
     self->stale = false;
     if (self->fixed <= 0 && self->since_look >= STEPS_BETWEEN_LOOKS)
         return look(self, mo, t1);
+    if (mo->time >= self->due) {
+        let_fade(self, mo);
+        self->left = 0;
+    }
     if (self->left == 0)
         plan(self, mo, t1);
     return true;
