@@ -180,6 +180,8 @@ static void show_relaxation(interp *in, const scene *s, info_put put) {
         add(&l, ", steps from the stiffness");
     if (r->step <= 0 && r->most > 0)
         add(&l, ", at most %gs", r->most);
+    if (r->inertia > 0)
+        add(&l, " at first, inertia %g", r->inertia);
     if (r->segment > 0)
         add(&l, ", begun anew every %gs", r->segment);
     put(in, "relaxation  %s%s", style->name, l.text);

@@ -18,11 +18,11 @@ syntax match sarcinaValue /\<\%(species\)\>/
 syntax keyword sarcinaKeyword abs along among angle append approx aspect at axes axis background band bins
 syntax keyword sarcinaKeyword branch ces clamp coil color contact cvdw density diameter draw epsilon every
 syntax keyword sarcinaKeyword filament file fluid form format fps fraction from g gap glide hand handover
-syntax keyword sarcinaKeyword hi in jitter k kappa keep legend length lo lognormal long map mass maxtry
-syntax keyword sarcinaKeyword method normal orient origin overlap overwrite pad pairs particles pitch
-syntax keyword sarcinaKeyword probability radius range rate ratio reach rel scalebar screen sd short side
-syntax keyword sarcinaKeyword size skin snap springs step then to tol tries uniform until upto view vs
-syntax keyword sarcinaKeyword where within xlabel ylabel z zoom
+syntax keyword sarcinaKeyword hi in inertia jitter k kappa keep legend length lo lognormal long map mass
+syntax keyword sarcinaKeyword maxtry method normal orient origin overlap overwrite pad pairs particles
+syntax keyword sarcinaKeyword pitch probability radius range rate ratio reach rel scalebar screen sd short
+syntax keyword sarcinaKeyword side size skin snap springs step then to tol tries uniform until upto view
+syntax keyword sarcinaKeyword vs where within xlabel ylabel z zoom
 syntax match sarcinaKeyword /\<\%(break\|group\|grow\|log\|relax\|show\|units\)\>/
 
 syntax keyword sarcinaStyle INF all anchor auto balanced bend bio birth block both bs32 ci95 cividis
