@@ -90,7 +90,8 @@ static const command_form forms[] = {
      "How often links form and break while a colony relaxes",
      "At the beginning of each relaxation and then at fixed times, which the steps of the integrator end at: so what "
      "forms and breaks does not depend on how exactly the motion is solved. 'every 0' looks after every accepted step, "
-     "as published; what forms then depends on the step. A link breaks as a whole when one of its springs is longer "
+     "as published, and not before the first: a link that a division has stretched pulls for one step. What forms then "
+     "depends on the step. A link breaks as a whole when one of its springs is longer "
      "than its rest length by more than 'break'; what has broken may form again at the next time.",
      "link remodel every 5ms", COMMAND_DECLARES, run_remodel, NULL, 0},
     {"link stick now", NULL, 0, "Sticks at once the cells that are near enough",

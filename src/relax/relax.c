@@ -64,7 +64,8 @@ static bool is_over(run *r) {
     return r->goal->evaluations && r->mo.evaluations >= r->goal->evaluations;
 }
 
-/* Lets links form and break, at fixed times so that what forms does not depend on the integrator's steps. */
+/* Lets links form and break: at fixed times, so that what forms does not depend on the integrator's steps, or as
+ * published after each of them. */
 static void remodel(run *r) {
     remodel_change change;
     double begin = omp_get_wtime(), built = mechanics_statistics(r->mo.m).build_seconds;
@@ -77,8 +78,8 @@ static void remodel(run *r) {
 static int advance(run *r, diag *d) {
     double end = next_multiple(&r->mo, r->how->segment, r->goal->time);
     double due = r->remodels ? next_multiple(&r->mo, r->every, r->goal->time) : r->goal->time;
-    if (r->remodels)
-        remodel(r);
+    if (r->remodels && r->every > 0)
+        remodel(r); /* else, as published, what a division has stretched pulls for one step before it breaks */
     while (!is_over(r)) {
         if (r->mo.time >= end) {
             r->style->reset(r->method);

@@ -297,11 +297,37 @@ static void test_fixed_times(void **state) {
     assert_true(most - least > 0.1);
 }
 
+/* A coccus 2 um beside its anchor point, where a division may leave a cell: with looks at fixed times the link is gone
+ * before anything moves; with one after every accepted step (`every 0`) it pulls for the first, and breaks then. */
+static void test_first_look(void **state) {
+    (void)state;
+    for (int published = 0; published < 2; published++) {
+        packing p = packing_create(1);
+        packing_on(&p, FORCE_SUBSTRATUM, FORCE_SUBSTRATUM);
+        packing_on(&p, FORCE_DAMPING, FORCE_DAMPING);
+        packing_rule(&p, LINK_ANCHOR, PACKING_COCCUS, PACKING_COCCUS, anchor_rule);
+        uint32_t ball = packing_coccus(&p, (double[]){0, 0, 0.5}, 0.8);
+        assert_int_equal(look(&p).formed, 1);
+        double *x = p.c->particle.x + 3 * (size_t)p.c->cell.first[ball];
+        x[0] = 2;
+        p.links.every = published ? 0 : LINK_RULES_EVERY;
+        mechanics *m = packing_mechanics(&p, NEIGHBOR_CELLS, 1);
+        const relax_settings how = {.integrator = INTEGRATOR_DOPRI5, .step = 1e-3};
+        relax_result result;
+        assert_int_equal(relax_run(m, &how, &(relax_goal){.time = 1e-3}, &result, NULL), SARCINA_OK);
+        assert_int_equal(result.steps, 1);
+        assert_int_equal(p.c->links_broken, 1);
+        assert_true(published ? x[0] < 2 : x[0] == 2);
+        mechanics_free(m);
+        packing_free(&p);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_stick_forms),   cmocka_unit_test(test_stick_pairs), cmocka_unit_test(test_stick_breaks),
         cmocka_unit_test(test_filial_breaks), cmocka_unit_test(test_anchor),      cmocka_unit_test(test_same_bits),
-        cmocka_unit_test(test_idle),          cmocka_unit_test(test_fixed_times),
+        cmocka_unit_test(test_idle),          cmocka_unit_test(test_fixed_times), cmocka_unit_test(test_first_look),
     };
     return cmocka_run_group_tests_name("remodel", tests, NULL, NULL);
 }
