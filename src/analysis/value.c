@@ -13,6 +13,7 @@
 #include "analysis/orientation.h"
 #include "analysis/outline.h"
 #include "analysis/plane.h"
+#include "analysis/segregation.h"
 #include "analysis/solid.h"
 #include "analysis/state.h"
 #include "analysis/texture.h"
@@ -104,6 +105,18 @@ const value_style value_styles[] = {
         "unless given), theta between their axes: 1 parallel, 0 at random; 2 cos^2 - 1 seen from above; pairs; "
         "the radius",
         order_nematic),
+    {.name = "segregation",
+     .scope = VALUE_ANALYSIS,
+     .dimension = "number",
+     .fields = "pairs:number,expected:number",
+     .summary =
+         "Moran's I of the generation (or of another number of each cell) over pairs of cells that touch (or are "
+         "at most a radius apart): 1 when neighbours are alike, -1 when they are opposite; pairs; what it is "
+         "when the same numbers are dealt at random, -1/(cells - 1)",
+     .source = "Moran (1950), Biometrika 37:17",
+     .near = true,
+     .of = true,
+     .measure = segregation_measure},
     ANALYSIS(mixing, "number", "observed:number,expected:number",
              "part of the cells whose nearest neighbour is of another species, over what it is when the same cells' "
              "species are dealt at random: 0 apart, 1 at random",

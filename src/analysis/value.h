@@ -25,6 +25,7 @@ typedef struct value_style {
     const char *summary;   /* one line: the definition */
     const char *source;    /* where the definition comes from; NULL */
     bool near;             /* reads view.radius */
+    bool of;               /* reads view.of */
     double (*cell)(const view *v, uint32_t row);      /* VALUE_CELL, numbers */
     const char *(*text)(const view *v, uint32_t row); /* VALUE_CELL, text; holds while the view does */
     /* VALUE_STATE, VALUE_ANALYSIS: fills out (1 + fields); members: flag a cell row, NULL: all cells.

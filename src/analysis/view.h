@@ -22,6 +22,7 @@ typedef struct view {
     double wall;          /* seconds of computing */
     uint64_t links_formed, links_broken;
     double radius;            /* for measures of what is near, um; 0: their own */
+    const double *of;         /* for measures of a number of each cell: by row; NULL: their own */
     struct view_cache *cache; /* never NULL where a value of the mechanics or of links is read */
 } view;
 

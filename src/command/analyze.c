@@ -17,16 +17,30 @@
 
 /* ---- measuring --------------------------------------------------------------------------------------------------- */
 
-/* The style's value and fields of a group of the present scene, SI. */
-static int measure(interp *in, const value_style *style, const char *group, double radius,
-                   double si[1 + VALUE_FIELDS_MAX], diag *d) {
+/* The number of each cell, by row; the caller frees. */
+static int numbers_of(const output_column *of, size_t cells, double **out, diag *d) {
+    int status = SARCINA_OK;
+    *out = alloc_zeroed(cells, sizeof **out);
+    for (uint32_t row = 0; row < cells && !status; row++)
+        status = of->number(of->self, row, &(*out)[row], d);
+    return status;
+}
+
+/* The style's value and fields of its group of the present scene, SI. */
+static int measure(interp *in, const output_analysis *p, double si[1 + VALUE_FIELDS_MAX], diag *d) {
+    const value_style *style = p->style;
     bool *members;
-    int status = output_list_members(in, group, &members, d);
+    double *of = NULL;
+    int status = output_list_members(in, p->group, &members, d);
     view v = scene_view(interp_scene(in));
-    v.radius = radius;
+    v.radius = p->radius;
+    if (!status && p->of)
+        status = numbers_of(p->of, v.colony->cell.count, &of, d);
+    v.of = of;
     if (!status)
         status = style->measure(&v, members, si, d);
     free(members);
+    free(of);
     if (status)
         return status;
     si[0] = dim_from_engine(si[0], value_dim(style));
@@ -52,7 +66,7 @@ static int measured_value(interp *in, const output_analysis *p, const char *fiel
     if (!si)
         return SARCINA_OK;
     double all[1 + VALUE_FIELDS_MAX];
-    int status = measure(in, p->style, p->group, p->radius, all, d);
+    int status = measure(in, p, all, d);
     *si = all[1 + i];
     return status;
 }
@@ -142,7 +156,7 @@ int output_list_write_analysis(outputs *o, output_analysis *p, diag *d) {
     int status = output_list_open_analysis(p, d);
     if (status || stream_has(p->file, s->step))
         return status;
-    status = measure(o->in, p->style, p->group, p->radius, si, d);
+    status = measure(o->in, p, si, d);
     if (status)
         return status;
     FILE *f = stream_file(p->file);
@@ -181,6 +195,29 @@ static int check_radius(const value_style *style, const args *a, diag *d) {
     return SARCINA_ERROR;
 }
 
+/* What is looked at, and how far around. */
+static int read_style(interp *in, const args *a, output_analysis *p, diag *d) {
+    int status = check_group(p->style, a, d);
+    if (!status)
+        status = check_radius(p->style, a, d);
+    p->radius = args_given(a, "radius") ? args_number(a, "radius") : 0;
+    if (status || !args_given(a, "of"))
+        return status;
+    if (!p->style->of) {
+        diag_error(d, "%s is not of a value of the cells: it takes no 'of'", p->style->name);
+        diag_place(d, args_span(a, "of"));
+        return SARCINA_ERROR;
+    }
+    p->of = alloc_zeroed(1, sizeof *p->of);
+    status = interp_column(in, args_expr(a, "of"), true, p->of, d);
+    if (status || !p->of->is_text)
+        return status;
+    diag_error(d, "%s is of numbers, and '%s' is a text", p->style->name, p->of->name);
+    diag_help(d, "a truth of each cell is one: %s == '...'", p->of->name);
+    diag_place(d, args_span(a, "of"));
+    return SARCINA_ERROR;
+}
+
 static int read_file(outputs *o, const args *a, output_analysis *p, diag *d) {
     const char *path = args_text(a, "file");
     uint64_t step;
@@ -198,16 +235,15 @@ static int run_style(interp *in, const args *a, diag *d) {
     output_analysis p = {.style = value_find(args_text(a, "STYLE")), .every = {.cycles = 1}};
     if (!p.style)
         return SARCINA_OK; /* not known in this check */
-    int status = check_group(p.style, a, d);
-    if (!status)
-        status = check_radius(p.style, a, d);
+    int status = read_style(in, a, &p, d);
     if (!status && args_given(a, "file"))
         status = read_file(o, a, &p, d);
-    if (status)
+    if (status) {
+        output_list_release_columns(p.of, p.of != NULL);
         return status;
+    }
     if (args_given(a, "every"))
         p.every = args_cycles(a, "every");
-    p.radius = args_given(a, "radius") ? args_number(a, "radius") : 0;
     p.id = alloc_copy(args_text(a, "ID"));
     p.group = alloc_copy(args_text(a, "GROUP"));
     output_list_add_analysis(o, &p);
@@ -263,13 +299,14 @@ static int run_now(interp *in, const args *a, diag *d) {
     double si[1 + VALUE_FIELDS_MAX];
     if (!style)
         return SARCINA_OK;
-    int status = check_group(style, a, d);
-    if (!status)
-        status = check_radius(style, a, d);
-    if (status || interp_checking(in))
-        return status;
-    status = measure(in, style, args_text(a, "GROUP"), args_given(a, "radius") ? args_number(a, "radius") : 0, si, d);
-    if (status)
+    output_analysis p = {.style = style, .group = alloc_copy(args_text(a, "GROUP"))};
+    int status = read_style(in, a, &p, d);
+    bool measures = !status && !interp_checking(in);
+    if (measures)
+        status = measure(in, &p, si, d);
+    output_list_release_columns(p.of, p.of != NULL);
+    free(p.group);
+    if (status || !measures)
         return status;
     print_value(in, style->name, NULL, si[0], value_dim(style));
     for (size_t i = 0; i < value_field_count(style); i++) {
@@ -304,7 +341,10 @@ static const param style_params[] = {
     {"ID:+analysis", "its name, a value from here on"},
     {"GROUP:group", "the cells: all, a species, a region, a group"},
     {"STYLE:analysis0", "what is measured"},
-    {"radius:length(0,)", "of nematic: how far neighbours are; else one mean length of the cells"},
+    {"radius:length(0,)",
+     "of nematic and segregation: how far neighbours are; else one mean length of the cells, or what "
+     "touches"},
+    {"of:cell", "of segregation: a value of each cell, or a formula without blanks; else generation"},
     {"every:cycles[1,)", "cycles, or a time, between rows of the file; 1"},
     {"file:file", "a CSV file for step, time, the value and its fields, in SI units"},
 };
@@ -317,7 +357,10 @@ static const param first_params[] = {
 static const param now_params[] = {
     {"GROUP:group", "the cells: all, a species, a region, a group"},
     {"STYLE:analysis0", "what is measured"},
-    {"radius:length(0,)", "of nematic: how far neighbours are; else one mean length of the cells"},
+    {"radius:length(0,)",
+     "of nematic and segregation: how far neighbours are; else one mean length of the cells, or what "
+     "touches"},
+    {"of:cell", "of segregation: a value of each cell, or a formula without blanks; else generation"},
 };
 static const param off_params[] = {{"ID:analysis", "the analysis to forget"}};
 
@@ -325,7 +368,9 @@ static const command_form forms[] = {
     {"analyze ID:+analysis GROUP:group STYLE:analysis0", style_params, TABLE_COUNT(style_params),
      "Names a measure of some cells, and writes it along the way",
      "Every analysis is also a value by its own name, over all cells, without this command.",
-     "analyze C ecoli orientation every 5 file C.csv\nprint \"$(C)\"\nanalyze S ecoli nematic radius 5um",
+     "analyze C ecoli orientation every 5 file C.csv\nprint \"$(C)\"\nanalyze S ecoli nematic radius 5um\nanalyze kin "
+     "all segregation\nanalyze "
+     "long all segregation of length radius 5um",
      COMMAND_DECLARES, run_style, NULL, 0},
     {"analyze ID:+analysis GROUP:group first_time TEST:expr", first_params, TABLE_COUNT(first_params),
      "Notes when a test first holds, and values at that moment", NULL,
@@ -334,7 +379,8 @@ static const command_form forms[] = {
      COMMAND_DECLARES, run_first_time, NULL, 0},
     {"analyze now GROUP:group STYLE:analysis0", now_params, TABLE_COUNT(now_params),
      "Measures some cells and prints what was found", NULL,
-     "analyze now all thickness\nanalyze now all nematic radius 5um", COMMAND_SHADOW, run_now, NULL, 0},
+     "analyze now all thickness\nanalyze now all nematic radius 5um\nanalyze now all segregation of z>1um",
+     COMMAND_SHADOW, run_now, NULL, 0},
     {"analyze ID:analysis off", off_params, 1, "Forgets an analysis", NULL, "analyze C all orientation\nanalyze C off",
      COMMAND_DECLARES, run_off, NULL, 0},
 };

@@ -29,6 +29,7 @@ typedef struct output_analysis {
     char *group;
     const value_style *style; /* NULL: first_time, or bins */
     double radius;            /* of styles that look around, um; 0: their own */
+    output_column *of;        /* the number of each cell that the style looks at; NULL: its own */
     output_bins *bins;        /* NULL: none */
     /* first_time */
     expr *test;

@@ -47,6 +47,7 @@ static void release_analysis(output_analysis *p) {
     free(p->group);
     expr_free(p->test);
     output_list_release_columns(p->kept, p->nkept);
+    output_list_release_columns(p->of, p->of != NULL);
     free(p->values);
     analyze_bins_free(p->bins);
     stream_free(p->file);

@@ -8,6 +8,7 @@
 #include "analysis/linkage.h"
 #include "analysis/neighborhood.h"
 #include "analysis/order.h"
+#include "analysis/segregation.h"
 #include "analysis/touching.h"
 
 #include <gsl/gsl_rng.h>
@@ -300,6 +301,103 @@ static void test_straightness_of_filaments(void **state) {
     discard(&k);
 }
 
+/* ---- segregation ------------------------------------------------------------------------------------------------ */
+
+static void look_at(culture *k, const double *of, double radius, double out[17]) {
+    const view v = {.colony = k->c, .species = &k->species, .radius = radius, .of = of};
+    assert_int_equal(segregation_measure(&v, NULL, out, NULL), SARCINA_OK);
+}
+
+/* A chessboard of 6 x 6: every neighbour is the opposite. Two halves: only the 6 pairs across the border differ, of 60.
+ */
+static void test_segregation_of_a_lattice(void **state) {
+    (void)state;
+    culture k = make();
+    double out[17], half[36];
+    square(&k, 6, 6, 0.99);
+    for (uint32_t row = 0; row < 36; row++)
+        k.c->cell.generation[row] = 3 + 2 * k.c->cell.species[row];
+    look(&k, segregation_measure, NULL, 0, out);
+    assert_near(out[0], -1, 1e-14);
+    assert_near(out[1], 60, 0);
+    assert_near(out[2], -1.0 / 35, 1e-15);
+    for (int i = 0; i < 36; i++)
+        half[i] = i < 18 ? 7 : -2;
+    look_at(&k, half, 0, out);
+    assert_near(out[0], 1 - 2 * 6 / 60.0, 1e-14);
+    look_at(&k, half, 100, out); /* everybody a neighbour of everybody: as dealt at random, whatever the numbers */
+    assert_near(out[0], -1.0 / 35, 1e-14);
+    assert_near(out[1], 36 * 35 / 2.0, 0);
+    bool *members = calloc(36, 1); /* one colour of the chessboard alone */
+    for (uint32_t row = 0; row < 36; row++)
+        members[row] = k.c->cell.species[row] == 1;
+    look(&k, segregation_measure, members, 0, out);
+    assert_true(isnan(out[0]) && out[1] == 0);
+    free(members);
+    for (int i = 0; i < 36; i++)
+        half[i] = 5;
+    look_at(&k, half, 0, out);
+    assert_true(isnan(out[0]));
+    discard(&k);
+}
+
+/* On a ring of N a wave of m periods has I = cos(2 pi m/N). */
+static void test_segregation_of_a_ring(void **state) {
+    (void)state;
+    enum { N = 20 };
+    culture k = make();
+    double out[17], wave[N + 1], radius = 0.499 / sin(M_PI / N); /* neighbours touch */
+    for (int i = 0; i < N; i++)
+        add_ball(&k, radius * cos(2 * M_PI * i / N), radius * sin(2 * M_PI * i / N), 0, 0);
+    for (int m = 1; m <= N / 2; m++) {
+        for (int i = 0; i < N; i++)
+            wave[i] = 4 + cos(2 * M_PI * m * i / N);
+        look_at(&k, wave, 0, out);
+        assert_near(out[0], cos(2 * M_PI * m / N), 1e-13);
+        assert_near(out[1], N, 0);
+    }
+    add_ball(&k, 0, 0, 0, 0); /* without a number it does not count, nor its neighbours' pairs */
+    wave[N] = NAN;
+    look_at(&k, wave, radius + 1e-9, out);
+    assert_near(out[2], -1.0 / (N - 1), 1e-15);
+    discard(&k);
+}
+
+/* Two discs far apart, each of one generation, are apart; dealt at random, the mean over many deals is -1/(N - 1). */
+static void test_segregation_of_discs(void **state) {
+    (void)state;
+    culture k = make();
+    gsl_rng *r = gsl_rng_alloc(gsl_rng_mt19937);
+    double out[17], number[200], sum = 0, squares = 0;
+    int n = 0;
+    for (int disc = 0; disc < 2; disc++)
+        for (int i = -4; i <= 4; i++)
+            for (int j = -4; j <= 4; j++)
+                if (i * i + j * j <= 16) {
+                    uint32_t row = add_ball(&k, 100 * disc + 0.99 * i, 0.99 * j, 0, 0);
+                    k.c->cell.generation[row] = disc;
+                    n++;
+                }
+    look(&k, segregation_measure, NULL, 0, out);
+    assert_near(out[0], 1, 1e-14);
+    enum { DEALS = 4000 };
+    for (int deal = 0; deal < DEALS; deal++) {
+        for (int i = 0; i < n; i++)
+            number[i] = gsl_rng_uniform(r);
+        look_at(&k, number, 0, out);
+        sum += out[0];
+        squares += out[0] * out[0];
+    }
+    double mean = sum / DEALS, error = sqrt((squares / DEALS - mean * mean) / DEALS);
+    assert_near(mean, -1.0 / (n - 1), 4 * error);
+    assert_true(error < 0.2 / (n - 1));
+    shuffle(&k);
+    look(&k, segregation_measure, NULL, 0, out);
+    assert_near(out[0], 1, 1e-14);
+    gsl_rng_free(r);
+    discard(&k);
+}
+
 /* ---- bins ------------------------------------------------------------------------------------------------------- */
 
 static void test_histogram(void **state) {
@@ -354,6 +452,9 @@ int main(void) {
         cmocka_unit_test(test_coordination_of_a_lattice),
         cmocka_unit_test(test_contacts_are_of_surfaces),
         cmocka_unit_test(test_contact_clusters),
+        cmocka_unit_test(test_segregation_of_a_lattice),
+        cmocka_unit_test(test_segregation_of_a_ring),
+        cmocka_unit_test(test_segregation_of_discs),
         cmocka_unit_test(test_nematic_order),
         cmocka_unit_test(test_nematic_order_of_disorder),
         cmocka_unit_test(test_mixing),
