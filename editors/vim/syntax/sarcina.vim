@@ -11,15 +11,16 @@ syntax keyword sarcinaValue age anchored bridging cells cluster clusters compact
 syntax keyword sarcinaValue contacts coordination defects ellipse energy filaments filial fmax founder
 syntax keyword sarcinaValue fractal fx fy fz generation gyration hull id layering link_age link_strain
 syntax keyword sarcinaValue links mixing nematic orientation outline parent pi quati quatj quatk quatw
-syntax keyword sarcinaValue relaxed shapex shapey shapez speed stage straightness strain stretch stuck
-syntax keyword sarcinaValue thickness time ux uy uz verticalised volume vx vy vz wall x y zmax zmin
+syntax keyword sarcinaValue relaxed segregation shapex shapey shapez speed stage straightness strain
+syntax keyword sarcinaValue stretch stuck thickness time ux uy uz verticalised volume vx vy vz wall x y
+syntax keyword sarcinaValue zmax zmin
 syntax match sarcinaValue /\<\%(species\)\>/
 
 syntax keyword sarcinaKeyword abs along among angle append approx aspect at axes axis background band bins
 syntax keyword sarcinaKeyword branch ces clamp coil color contact cvdw density diameter draw epsilon every
 syntax keyword sarcinaKeyword filament file fluid form format fps fraction from g gap glide hand handover
 syntax keyword sarcinaKeyword hi in inertia jitter k kappa keep legend length lo lognormal long map mass
-syntax keyword sarcinaKeyword maxtry method normal orient origin overlap overwrite pad pairs particles
+syntax keyword sarcinaKeyword maxtry method normal of orient origin overlap overwrite pad pairs particles
 syntax keyword sarcinaKeyword pitch probability radius range rate ratio reach rel scalebar screen sd short
 syntax keyword sarcinaKeyword side size skin snap springs step then to tol tries uniform until upto view
 syntax keyword sarcinaKeyword vs where within xlabel ylabel z zoom
