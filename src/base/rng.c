@@ -97,6 +97,18 @@ void rng_direction(uint64_t seed, uint64_t a, uint64_t b, double u[3]) {
     }
 }
 
+void rng_direction_flat(uint64_t seed, uint64_t a, uint64_t b, double u[3]) {
+    double length;
+    do { /* the shadow of a direction in space; the poles, which have hardly one, draw anew */
+        rng_direction(seed, a, b, u);
+        length = sqrt(u[0] * u[0] + u[1] * u[1]);
+        seed++;
+    } while (length < 0.01);
+    u[0] /= length;
+    u[1] /= length;
+    u[2] = 0;
+}
+
 uint64_t rng_poisson(gsl_rng *stream, double mean) {
     uint64_t n = 0;
     while (mean > 0) {

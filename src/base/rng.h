@@ -44,4 +44,7 @@ uint64_t rng_poisson(gsl_rng *stream, double mean);
  * force kernels may call it from any thread. */
 void rng_direction(uint64_t seed, uint64_t a, uint64_t b, double u[3]);
 
+/* The same in the plane: u[2] is 0. */
+void rng_direction_flat(uint64_t seed, uint64_t a, uint64_t b, double u[3]);
+
 #endif

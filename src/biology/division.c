@@ -57,6 +57,16 @@ bool division_walls(const species *s) {
     return style >= 0 && division_styles[style] == &division_planes && s->division.values[DIVISION_PLANES].a > 1;
 }
 
+const char *division_leaves_plane(const species *s) {
+    const style_choice *rule = &s->division;
+    if (rule->style < 0)
+        return NULL;
+    if ((int)rule->values[DIVISION_AXIS].a == AXIS_Z)
+        return "with jitter along z";
+    bool planes = division_styles[rule->style] == &division_planes;
+    return planes && rule->values[DIVISION_PLANES].a > 2 ? "along three axes" : NULL;
+}
+
 bool division_pairs(const species *s) {
     int style = s->division.style;
     bool knows = style >= 0 && division_styles[style] != &division_random;

@@ -17,6 +17,8 @@ typedef struct division_context {
     const link_rules *links; /* NULL: no links are made or handed on */
     rng *rng;
     double time;     /* growth time at which the daughters are born, s */
+    bool horizontal; /* random directions are drawn in the plane of x and y: on a substratum, in two dimensions */
+    bool flat;       /* two dimensions: so are those of divisions */
     bool substratum; /* is there a plane, and at which height (um)? */
     double substratum_z;
 } division_context;
@@ -55,6 +57,9 @@ enum {
  * planes?
  */
 bool division_walls(const species *s);
+
+/* How the species' divisions lead out of the plane of x and y ("along three axes"); NULL: they do not. */
+const char *division_leaves_plane(const species *s);
 
 /* Do cells of the species part from their older filial neighbours when they divide? */
 bool division_pairs(const species *s);

@@ -4,6 +4,7 @@
 #include "command/session.h"
 
 #include "base/table.h"
+#include "engine/flat.h"
 
 #include <math.h>
 #include <string.h>
@@ -57,6 +58,8 @@ static int run_attach(interp *in, const args *a, diag *d) {
     attachment changed = old ? *old : (attachment){.placement = {.species = args_row(a, "NAME")}};
     amend(&changed, a, !old);
     int status = scene_check_region(where, d);
+    if (!status)
+        status = flat_check_region(s, where, d);
     if (status)
         diag_place(d, args_span(a, "REGION"));
     if (!status && changed.placement.orient == ORIENT_VECTOR) {

@@ -16,6 +16,7 @@
     X(prompt)                                                                                                          \
     X(help)                                                                                                            \
     X(settings)                                                                                                        \
+    X(dimension)                                                                                                       \
     X(species)                                                                                                         \
     X(growth)                                                                                                          \
     X(division)                                                                                                        \

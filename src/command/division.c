@@ -6,6 +6,7 @@
 
 #include "base/alloc.h"
 #include "biology/division.h"
+#include "engine/flat.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -33,6 +34,8 @@ static int run_division(interp *in, const args *a, diag *d) {
     else if (args_given(a, s->species.list[row].shape == SHAPE_COCCUS ? "diameter" : "length"))
         rule->values[DIVISION_MASS] = spread_fixed(NAN);
     int status = division_check(&changed, d);
+    if (!status)
+        status = flat_check_species(s, &changed, d);
     if (status)
         return status;
     s->species.list[row] = changed;

@@ -5,6 +5,8 @@
 #include "command/style_values.h"
 
 #include "base/alloc.h"
+#include "base/build.h"
+#include "engine/flat.h"
 #include "mechanics/force_style.h"
 
 #include <stdlib.h>
@@ -15,7 +17,11 @@ static bool stands(interp *in, const args *a) {
 }
 
 static int run_force(interp *in, const args *a, diag *d) {
-    (void)d;
+    int status = build_check(force_styles[args_style(a)]->name, d);
+    if (!status && !args_off(a))
+        status = flat_check_term(interp_scene(in), (force_kind)args_style(a), d);
+    if (status)
+        return status;
     force_settings *term = &interp_scene(in)->forces.term[args_style(a)];
     if (args_off(a)) {
         term->on = false;
@@ -46,7 +52,8 @@ void command_force(command_table *t) {
             continue;
         const command_form common = {
             .example = s->example, .flags = COMMAND_DECLARES, .run = run_force, .exists = stands};
-        char *head = is_substratum ? alloc_copy("substratum plane") : alloc_format("force %s @off", s->name);
+        const char *rest = build_lacks(s->name) ? " PARAMETERS:rest?" : is_substratum ? "" : " @off";
+        char *head = alloc_format("%s %s%s", s->command, is_substratum ? "plane" : s->name, rest);
         command_add_style(t, &common, head, s->summary, s->params, s->nparams, i);
         command_cite(t, s->formula, s->source);
         free(head);

@@ -200,7 +200,8 @@ static void show_contacts(interp *in, const scene *s, bool bound, info_put put) 
         put(in, "contacts    none: no neighbour list, no contact kernel");
         return;
     }
-    put(in, "contacts    of %s, kernel %s", bound && m.spheres ? "spheres" : "segments", m.kernel);
+    put(in, "contacts    of %s%s, kernel %s", bound && m.spheres ? "spheres" : "segments",
+        bound && m.flat ? " in x and y alone" : "", m.kernel);
     put(in, "neighbours  %zu entries, skin %.3g um, method %s", m.pairs, m.skin,
         s->neighbor.method == NEIGHBOR_CELLS ? "cells" : "pairs");
 }
@@ -280,8 +281,9 @@ void info_scene_show(interp *in, info_put put) {
     scene *s = interp_scene(in);
     diag problem = {0};
     bool bound = scene_prepare(s, &problem) == SARCINA_OK;
-    put(in, "scene       %zu cells of %zu particles, %zu links, step %" PRIu64 ", time %g s, relaxed %g s",
-        s->colony->cell.count, s->colony->particle.count, s->colony->link.count, s->step, s->time, s->relaxed);
+    put(in, "scene       %zu cells of %zu particles%s, %zu links, step %" PRIu64 ", time %g s, relaxed %g s",
+        s->colony->cell.count, s->colony->particle.count, s->dimension == 2 ? " in the plane" : "",
+        s->colony->link.count, s->step, s->time, s->relaxed);
     show_species(in, s, put);
     show_forces(in, s, bound, put);
     show_links(in, s, bound, put);

@@ -2,6 +2,7 @@
 /* link internal, bend, twist: what holds the cells of a species in shape. */
 #include "command/commands.h"
 
+#include "base/build.h"
 #include "base/table.h"
 
 static bool stands(interp *in, const args *a) {
@@ -11,6 +12,9 @@ static bool stands(interp *in, const args *a) {
 
 static int run_internal(interp *in, const args *a, diag *d) {
     scene *s = interp_scene(in);
+    int status = build_check("internal", d);
+    if (status)
+        return status;
     double k = args_off(a) ? 0 : args_number(a, "k");
     s->colony->version++; /* the mechanics bind anew */
     if (args_all(a, "NAME")) {
@@ -58,6 +62,9 @@ static void set_angle(species *sp, const args *a) {
 
 static int run_angle(interp *in, const args *a, diag *d) {
     scene *s = interp_scene(in);
+    int status = build_check(args_style(a) ? "twist" : "bend", d);
+    if (status)
+        return status;
     for (size_t i = 0; i < s->species.count; i++)
         if (args_all(a, "NAME") && s->species.list[i].shape != SHAPE_COCCUS)
             set_angle(&s->species.list[i], a);

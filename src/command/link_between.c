@@ -5,7 +5,9 @@
 #include "command/style_values.h"
 
 #include "base/alloc.h"
+#include "base/build.h"
 #include "base/table.h"
+#include "engine/flat.h"
 #include "model/link.h"
 
 #include <stdlib.h>
@@ -55,9 +57,21 @@ static bool set_rule(scene *s, const args *a, int first, int second) {
     return true;
 }
 
+/* A link needs its springs' force and, where it forms by nearness, what looks for that. */
+static int check_build(link_kind kind, diag *d) {
+    int status = build_check(link_rules_styles[kind].name, d);
+    if (!status)
+        status = build_check("springs", d);
+    return status || kind == LINK_FILIAL ? status : build_check("remodel", d);
+}
+
 static int run_rule(interp *in, const args *a, diag *d) {
-    (void)d;
     scene *s = interp_scene(in);
+    int status = check_build((link_kind)args_style(a), d);
+    if (!status && !args_off(a))
+        status = flat_check_link(s, (link_kind)args_style(a), d);
+    if (status)
+        return status;
     for_each(in, a, set_rule);
     if (args_off(a))
         link_drop_unruled(s->colony, &s->links, (link_kind)args_style(a));
@@ -66,7 +80,9 @@ static int run_rule(interp *in, const args *a, diag *d) {
 }
 
 static int run_remodel(interp *in, const args *a, diag *d) {
-    (void)d;
+    int status = build_check("remodel", d);
+    if (status)
+        return status;
     if (args_given(a, "every"))
         interp_scene(in)->links.every = args_number(a, "every");
     return SARCINA_OK;

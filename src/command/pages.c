@@ -18,6 +18,7 @@ static const command_page pages[] = {
      "where it is a distribution. Mother and daughter have half the mass each; the mother keeps her id, daughters "
      "count on; the daughter draws her own diameter.",
      "growth species run"},
+    {"dimension", "Model", "Sets whether cells move in space or in a plane", NULL, "create_cells substratum"},
     {"substratum", "Model", "Puts a plane under the scene",
      "The bulk is above it. Without it space is open on all sides.", "force region"},
     {"force", "Model", "Switches a force on, and sets its parameters",

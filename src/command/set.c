@@ -105,6 +105,10 @@ static int apply(interp *in, const args *a, const bool *flags, const double *si,
     dim wanted;
     dim_by_name(dimensions[key], &wanted);
     char got[48], due[48];
+    if (s->dimension == 2 && (key == KEY_Z || key == KEY_VZ)) {
+        diag_error(d, "%s stays 0 in a scene of two dimensions", args_text(a, "KEY"));
+        return diag_help(d, "set x, y, vx and vy, or leave 'dimension 2' out");
+    }
     bool plain = dim_is_none(seen) && !dim_is_none(wanted);
     if (!plain && !dim_equal(seen, wanted)) {
         diag_error(d, "%s is a %s, not a %s", args_text(a, "KEY"), dim_name(wanted, due), dim_name(seen, got));

@@ -2,8 +2,10 @@
 /* species NAME coccus|rod: shape, size, density, colour. */
 #include "command/commands.h"
 
+#include "base/build.h"
 #include "base/table.h"
 #include "biology/division.h"
+#include "engine/flat.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -98,10 +100,15 @@ static int run_species(interp *in, const args *a, diag *d) {
     scene *s = interp_scene(in);
     const char *name = args_text(a, "NAME");
     int row = species_find(&s->species, name);
+    int status = args_style(a) == SHAPE_FLEXIBLE ? build_check("flexible", d) : SARCINA_OK;
+    if (status)
+        return status;
     if (row < 0) {
         row = species_add(&s->species, name);
         amend(&s->species.list[row], a, true);
-        int status = check_flexible(s, -1, &s->species.list[row], d);
+        status = check_flexible(s, -1, &s->species.list[row], d);
+        if (!status)
+            status = flat_check_species(s, &s->species.list[row], d);
         s->species.count -= status != SARCINA_OK;
         return status;
     }
@@ -114,9 +121,11 @@ static int run_species(interp *in, const args *a, diag *d) {
     amend(&changed, a, !same_shape);
     if (!same_shape)
         changed.division.style = -1; /* a rule for another shape */
-    int status = check_flexible(s, row, &changed, d);
+    status = check_flexible(s, row, &changed, d);
     if (!status)
         status = division_check(&changed, d);
+    if (!status)
+        status = flat_check_species(s, &changed, d);
     if (status)
         return status;
     s->species.list[row] = changed;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* New cells: drawn or given, put where there is room, all or none. */
+#include "engine/flat.h"
 #include "engine/scene.h"
 #include "engine/spots.h"
 
@@ -36,9 +37,9 @@ static void return_to(scene *s, mark m) {
     free(rows);
 }
 
-static vec3 draw_axis(const placement *p, gsl_rng *stream) {
+static vec3 draw_axis(const scene *s, const placement *p, gsl_rng *stream) {
     vec3 u = {0, 0, 0};
-    switch (p->orient) {
+    switch (s->dimension == 2 && p->orient == ORIENT_RANDOM ? ORIENT_XY : p->orient) {
     case ORIENT_X:
         return vec3_of(1, 0, 0);
     case ORIENT_Y:
@@ -229,7 +230,8 @@ static int check_placement(const scene *s, const placement *p, diag *d) {
     }
     if (p->orient == ORIENT_VECTOR && !(vec3_norm(vec3_load(p->axis)) > 0))
         return diag_error(d, "orient 0 0 0 is no direction");
-    return check_filament(s, p, p->species, d);
+    int status = flat_check_orient(s, p->orient, p->axis, d);
+    return status ? status : check_filament(s, p, p->species, d);
 }
 
 static int no_room(size_t which, size_t wanted, int tries, diag *d) {
@@ -239,11 +241,13 @@ static int no_room(size_t which, size_t wanted, int tries, diag *d) {
 
 int scene_create_single(scene *s, const placement *p, const double centre[3], size_t *created, diag *d) {
     int status = check_placement(s, p, d);
+    if (!status)
+        status = flat_check_place(s, centre, d);
     if (status)
         return status;
     mark m = set_mark(s);
     gsl_rng *stream = rng_stream(s->rng, RNG_CREATE, m.next_id, 0);
-    vec3 axis = draw_axis(p, stream);
+    vec3 axis = draw_axis(s, p, stream);
     new_group g = add_group(s, p, p->species, draw_mass(p, stream), NAN);
     put_group(s, g, centre, axis, p->gap);
     if (!p->overlap && !group_has_room(s->colony, g, m.cells)) {
@@ -269,8 +273,8 @@ int scene_check_region(const region *where, diag *d) {
 static bool find_place(scene *s, const placement *p, new_group g, const region *where, spots *apart, gsl_rng *stream) {
     for (int k = 0; k < p->maxtry; k++) {
         double point[3];
-        region_draw(where, stream, point);
-        vec3 axis = draw_axis(p, stream);
+        (s->dimension == 2 ? region_draw_flat : region_draw)(where, stream, point);
+        vec3 axis = draw_axis(s, p, stream);
         if (apart && !spots_are_free(apart, point))
             continue;
         put_group(s, g, point, axis, p->gap);
@@ -294,6 +298,8 @@ int scene_create_random(scene *s, const placement *p, size_t n, const region *wh
     int status = check_placement(s, p, d);
     if (!status)
         status = scene_check_region(where, d);
+    if (!status)
+        status = flat_check_region(s, where, d);
     if (status)
         return status;
     mark m = set_mark(s);
@@ -361,6 +367,8 @@ int scene_create_rows(scene *s, const placement *p, const cell_row *rows, size_t
     int status = check_placement(s, p, d);
     for (size_t i = 0; i < n && !status; i++) {
         status = check_filament(s, p, rows[i].species, d);
+        if (!status)
+            status = flat_check_row(s, &rows[i], d);
         if (!status && rows[i].nparticles && p->filament > 1)
             status = diag_error(d, "cell %zu has the places of its particles: it takes no filament", i + 1);
     }
@@ -373,7 +381,7 @@ int scene_create_rows(scene *s, const placement *p, const cell_row *rows, size_t
         gsl_rng *stream = rng_stream(s->rng, RNG_CREATE, s->colony->next_cell_id, 0);
         vec3 axis = vec3_load(rows[i].axis);
         double length = vec3_norm(axis);
-        axis = length > 0 ? vec3_scale(1 / length, axis) : draw_axis(p, stream);
+        axis = length > 0 ? vec3_scale(1 / length, axis) : draw_axis(s, p, stream);
         double mass = rows[i].mass > 0 ? rows[i].mass : draw_mass(p, stream);
         new_group g = add_group(s, p, rows[i].species, mass, rows[i].diameter);
         if (!rows[i].nparticles)

@@ -19,6 +19,7 @@ static void set_defaults(scene *s) {
             s->accuracy = (int)i;
     s->relax = accuracy_presets[s->accuracy].settings;
     memset(&s->forces, 0, sizeof s->forces);
+    s->dimension = 3;
     link_rules_clear(&s->links);
     memset(&s->timing, 0, sizeof s->timing);
     s->tally = (scene_tally){.least_step = INFINITY};
@@ -71,6 +72,7 @@ int scene_prepare(scene *s, diag *d) {
                                 .forces = &s->forces,
                                 .links = &s->links,
                                 .time = s->time,
+                                .flat = s->dimension == 2,
                                 .neighbor = s->neighbor,
                                 .seed = rng_get_seed(s->rng),
                                 .threads = s->threads};

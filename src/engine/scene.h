@@ -74,6 +74,7 @@ typedef struct scene {
     attachment_table attachments;
     lineage *dead; /* mothers of the cells that are no longer there */
     force_set forces;
+    int dimension; /* 3; 2: a monolayer in the plane z = 0 (engine/flat.h) */
     neighbor_settings neighbor;
     relax_settings relax;
     int accuracy; /* row in accuracy_presets */

@@ -12,6 +12,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* A build may leave flexible cells out (src/without.cmake). */
+#ifndef SARCINA_FLEXIBLE
+#define SARCINA_FLEXIBLE 1
+#endif
+
 typedef struct body {
     uint64_t id;       /* of the cell */
     uint32_t row;      /* cell row in the colony */

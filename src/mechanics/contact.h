@@ -50,15 +50,22 @@ static inline double contact_clamp(double x) {
     return x > 1 ? 1 : x;
 }
 
-static inline contact_result contact_compute(contact_law_values law, contact_pair p) {
+/* a . b in that many dimensions; in the plane the third component is 0 and left out, which changes no bit. */
+static inline __attribute__((always_inline)) double contact_dot(const double a[3], const double b[3], int dimensions) {
+    double sum = a[0] * b[0] + a[1] * b[1];
+    return dimensions > 2 ? sum + a[2] * b[2] : sum;
+}
+
+/* In 2 dimensions the z components of the pair are not read, and that of delta is not written. */
+static inline __attribute__((always_inline)) contact_result contact_compute_in(int dimensions, contact_law_values law,
+                                                                               contact_pair p) {
     double reach = law.reach * p.radii, square = reach * reach;
     double w = law.epsilon * (p.rests < square ? p.rests : square);
 
-    double a = p.d1[0] * p.d1[0] + p.d1[1] * p.d1[1] + p.d1[2] * p.d1[2] + w;
-    double e = p.d2[0] * p.d2[0] + p.d2[1] * p.d2[1] + p.d2[2] * p.d2[2] + w;
-    double b = p.d1[0] * p.d2[0] + p.d1[1] * p.d2[1] + p.d1[2] * p.d2[2];
-    double c = p.d1[0] * p.r[0] + p.d1[1] * p.r[1] + p.d1[2] * p.r[2] - 0.5 * w;
-    double f = p.d2[0] * p.r[0] + p.d2[1] * p.r[1] + p.d2[2] * p.r[2] + 0.5 * w;
+    double a = contact_dot(p.d1, p.d1, dimensions) + w, e = contact_dot(p.d2, p.d2, dimensions) + w;
+    double b = contact_dot(p.d1, p.d2, dimensions);
+    double c = contact_dot(p.d1, p.r, dimensions) - 0.5 * w;
+    double f = contact_dot(p.d2, p.r, dimensions) + 0.5 * w;
     a = a > 0 ? a : 1; /* a coccus: b, c (or f) are 0 and so is its s (or t) */
     e = e > 0 ? e : 1;
 
@@ -70,15 +77,18 @@ static inline contact_result contact_compute(contact_law_values law, contact_pai
     s = free_t == t ? s : s_again;
 
     contact_result out = {.s = s, .t = t};
-    out.delta[0] = p.r[0] + s * p.d1[0] - t * p.d2[0];
-    out.delta[1] = p.r[1] + s * p.d1[1] - t * p.d2[1];
-    out.delta[2] = p.r[2] + s * p.d1[2] - t * p.d2[2];
-    out.square = out.delta[0] * out.delta[0] + out.delta[1] * out.delta[1] + out.delta[2] * out.delta[2];
+    for (int k = 0; k < dimensions; k++)
+        out.delta[k] = p.r[k] + s * p.d1[k] - t * p.d2[k];
+    out.square = contact_dot(out.delta, out.delta, dimensions);
     out.g = out.square + w * ((s - 0.5) * (s - 0.5) + (t - 0.5) * (t - 0.5));
     out.reach = square + 0.25 * w;
     double stretch = sqrt(out.reach / (out.g > 0 ? out.g : out.reach)) - 1;
     out.scale = law.k * (stretch > 0 ? stretch : 0);
     return out;
+}
+
+static inline contact_result contact_compute(contact_law_values law, contact_pair p) {
+    return contact_compute_in(3, law, p);
 }
 
 /* R' - sqrt G where they touch, 0 apart; um. */

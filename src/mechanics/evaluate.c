@@ -78,6 +78,8 @@ static void build(mechanics *m, const double *x) {
     m->neighbor.method = m->settings.method;
     m->neighbor.skin = m->skin;
     m->neighbor.chained = m->nchains > 0;
+    m->neighbor.spheres = m->cocci;
+    m->neighbor.flat = m->flat;
     m->neighbor.margin = m->margin;
     sort_bodies(m, x);
     neighbor_build(&m->neighbor, m->bodies, m->capsules, m->reach, state_threads(m), m->kernel);
@@ -123,6 +125,7 @@ force_frame state_frame(const mechanics *m, const double *x, const double *v) {
         .springs = &m->springs,
         .kernel = m->kernel,
         .cocci = m->cocci,
+        .flat = m->flat,
         .chains = m->chains,
         .nchains = m->nchains,
         .shares = m->shares,
@@ -210,9 +213,9 @@ static void evaluate(mechanics *m, unsigned which, unsigned within, const double
         m->stats.upkeep_seconds += omp_get_wtime() - begin - (m->stats.build_seconds - built);
     const force_frame at = state_frame(m, x, v);
     evaluate_bodies(m, which, &at, timed, f);
-    if (m->nchains && timed)
+    if (SARCINA_FLEXIBLE && m->nchains && timed)
         time_chains(m, which, within, &at, f);
-    else if (m->nchains)
+    else if (SARCINA_FLEXIBLE && m->nchains)
         evaluate_chains(m, which, within, &at, f);
     m->stats.evaluations++;
     m->stats.cell_evaluations += m->ncells;

@@ -2,6 +2,7 @@
 #include "mechanics/force.h"
 
 #include "base/alloc.h"
+#include "base/rng.h"
 #include "mechanics/force/forces.h"
 
 #include <string.h>
@@ -17,6 +18,10 @@ const force_style *force_find(const char *name) {
         if (strcmp(force_styles[i]->name, name) == 0)
             return force_styles[i];
     return NULL;
+}
+
+void force_direction(const force_frame *at, uint64_t key_a, uint64_t key_b, double u[3]) {
+    (at->flat ? rng_direction_flat : rng_direction)(at->seed, key_a, key_b, u);
 }
 
 stiff_spring *force_spring_add(stiff_list *list) {

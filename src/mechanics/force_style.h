@@ -30,6 +30,7 @@ typedef struct force_frame {
     const struct spring_index *springs; /* NULL without springs */
     const struct contact_kernel *kernel;
     bool cocci;          /* no body has more than one particle */
+    bool flat;           /* all lies in a plane of constant z: terms add nothing along z */
     const chain *chains; /* (nchains), flexible cells in the order of ids */
     size_t nchains;
     double *shares; /* (nparticles x 3): what a segment's contacts do to its last particle, for its owner to add */
@@ -75,6 +76,7 @@ enum {
     FORCE_NEEDS_PAIRS = 8,  /* neighbour list and capsules */
     FORCE_READS_VELOCITY = 16,
     FORCE_READS_SPRINGS = 32,
+    FORCE_ALONG_Z = 128,     /* along z and nothing else: not in two dimensions */
     FORCE_WITHIN_CHAINS = 64 /* acts within single chains by add_chain: may be integrated chain by chain */
 };
 
@@ -110,6 +112,9 @@ extern const force_style *const force_styles[FORCE_COUNT];
 
 /* The term called name; NULL. */
 const force_style *force_find(const char *name);
+
+/* The direction of what has none: a unit vector from the seed and two keys, the opposite for the keys exchanged. */
+void force_direction(const force_frame *at, uint64_t key_a, uint64_t key_b, double u[3]);
 
 /* Height of the substratum; only with the substratum on. */
 static inline double force_floor(const force_frame *at) {

@@ -27,12 +27,15 @@ typedef struct kernel_batch {
     double g[KERNEL_BATCH], reach[KERNEL_BATCH];
 } kernel_batch;
 
+enum { KERNEL_SEGMENTS, KERNEL_SPHERES }; /* what touches: contact_kernel.contact[...] */
+enum { KERNEL_SPACE, KERNEL_PLANE };      /* [...][...] */
+
 typedef struct contact_kernel {
     const char *name; /* "avx512", "avx2", "base" */
-    /* Contacts of the first n pairs. Returns how many touch with coincident axes, which have no direction. */
-    size_t (*contact)(const contact_law_values *law, size_t n, kernel_batch *b);
-    /* The same for cocci only (d1 = d2 = 0, not read). */
-    size_t (*sphere)(const contact_law_values *law, size_t n, kernel_batch *b);
+    /* Contacts of the first n pairs, by what touches and where; a sphere's axis and, in the
+     * plane, z components are neither read nor written. Returns how many touch with coincident axes, which have no
+     * direction. */
+    size_t (*contact[2][2])(const contact_law_values *law, size_t n, kernel_batch *b);
     /* y = exp(x), n a multiple of KERNEL_LANES; SLEEF's deterministic one, the same bits in every width. */
     void (*exponential)(size_t n, const double *x, double *y);
 } contact_kernel;

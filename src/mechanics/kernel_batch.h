@@ -6,10 +6,13 @@
 #define KERNEL_JOIN_(a, b) a##b
 #define KERNEL_JOIN(a, b) KERNEL_JOIN_(a, b)
 
-static inline void store(kernel_batch *b, size_t i, const contact_result *c) {
+/* The functions below are compiled for 3 dimensions and for 2. */
+#define KERNEL_INLINE static inline __attribute__((always_inline))
+
+KERNEL_INLINE void store(int dimensions, kernel_batch *b, size_t i, const contact_result *c) {
     const double place = b->side[i] > 0 ? c->s : c->t, scale = b->side[i] * c->scale;
     b->place[i] = place;
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < dimensions; k++) {
         double force = scale * c->delta[k];
         b->force[k][i] = force;
         b->last[k][i] = place * force;
@@ -26,28 +29,47 @@ static size_t count_coincident(size_t n, const kernel_batch *b) {
     return coincident;
 }
 
-static size_t contact(const contact_law_values *law, size_t n, kernel_batch *b) {
+KERNEL_INLINE size_t contact_in(int dimensions, const contact_law_values *law, size_t n, kernel_batch *b) {
     const contact_law_values l = *law;
     for (size_t i = 0; i < n; i++) {
-        contact_pair p = {.r = {b->r[0][i], b->r[1][i], b->r[2][i]},
-                          .d1 = {b->d1[0][i], b->d1[1][i], b->d1[2][i]},
-                          .d2 = {b->d2[0][i], b->d2[1][i], b->d2[2][i]},
-                          .radii = b->radii[i],
-                          .rests = b->rests[i]};
-        contact_result c = contact_compute(l, p);
-        store(b, i, &c);
+        contact_pair p = {.radii = b->radii[i], .rests = b->rests[i]};
+        for (int k = 0; k < dimensions; k++) {
+            p.r[k] = b->r[k][i];
+            p.d1[k] = b->d1[k][i];
+            p.d2[k] = b->d2[k][i];
+        }
+        contact_result c = contact_compute_in(dimensions, l, p);
+        store(dimensions, b, i, &c);
     }
     return count_coincident(n, b);
 }
 
-static size_t sphere(const contact_law_values *law, size_t n, kernel_batch *b) {
+KERNEL_INLINE size_t sphere_in(int dimensions, const contact_law_values *law, size_t n, kernel_batch *b) {
     const contact_law_values l = *law;
     for (size_t i = 0; i < n; i++) {
-        contact_pair p = {.r = {b->r[0][i], b->r[1][i], b->r[2][i]}, .radii = b->radii[i]};
-        contact_result c = contact_compute(l, p);
-        store(b, i, &c);
+        contact_pair p = {.radii = b->radii[i]};
+        for (int k = 0; k < dimensions; k++)
+            p.r[k] = b->r[k][i];
+        contact_result c = contact_compute_in(dimensions, l, p);
+        store(dimensions, b, i, &c);
     }
     return count_coincident(n, b);
+}
+
+static size_t contact(const contact_law_values *law, size_t n, kernel_batch *b) {
+    return contact_in(3, law, n, b);
+}
+
+static size_t contact_flat(const contact_law_values *law, size_t n, kernel_batch *b) {
+    return contact_in(2, law, n, b);
+}
+
+static size_t sphere(const contact_law_values *law, size_t n, kernel_batch *b) {
+    return sphere_in(3, law, n, b);
+}
+
+static size_t sphere_flat(const contact_law_values *law, size_t n, kernel_batch *b) {
+    return sphere_in(2, law, n, b);
 }
 
 static void exponential(size_t n, const double *x, double *y) {
@@ -58,4 +80,5 @@ static void exponential(size_t n, const double *x, double *y) {
 extern const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME);
 #define KERNEL_TEXT_(a) #a
 #define KERNEL_TEXT(a) KERNEL_TEXT_(a)
-const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME) = {KERNEL_TEXT(KERNEL_NAME), contact, sphere, exponential};
+const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME) = {
+    KERNEL_TEXT(KERNEL_NAME), {{contact, contact_flat}, {sphere, sphere_flat}}, exponential};

@@ -77,6 +77,7 @@ static void take_image(state_image *image, const mechanics_input *in) {
     image_add(image, &c->version, sizeof c->version);
     image_add(image, &in->links, sizeof in->links);
     image_add(image, &in->seed, sizeof in->seed);
+    image_add(image, &in->flat, sizeof in->flat);
     image_add(image, &in->neighbor.skin, sizeof in->neighbor.skin);
     image_add(image, &in->neighbor.method, sizeof in->neighbor.method);
     for (int i = 0; i < FORCE_COUNT; i++) {
@@ -287,6 +288,7 @@ static void bind(mechanics *m, const mechanics_input *in) {
     bool regularised = (contact_law)collision->p[COLLISION_CONTACT] == CONTACT_REGULARISED;
     m->wants_pairs = collision->on;
     m->cocci = m->nparticles == m->nbodies;
+    m->flat = in->flat;
     m->touch = m->reach = collision->on ? collision->p[COLLISION_REACH] : 1;
     if (collision->on && regularised)
         m->reach *= sqrt(1 + 0.25 * collision->p[COLLISION_EPSILON]);

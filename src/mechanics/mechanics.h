@@ -29,6 +29,7 @@ typedef struct mechanics_input {
     int threads;
     const link_rules *links; /* by which links form and break; NULL: they stay as they are */
     double time;             /* growth time, s: that of links which form */
+    bool flat;               /* two dimensions: every z is the same and stays it, to the bit */
     bool lenient;            /* bind to look, not to move: terms that lack what they need are no error */
 } mechanics_input;
 
@@ -128,6 +129,7 @@ typedef struct mechanics_stats {
     double skin;
     size_t bytes;       /* memory held */
     const char *kernel; /* "avx512", "avx2", "base" */
+    bool flat;          /* and in the plane */
     bool spheres;       /* contacts are those of spheres: no cell has more than one particle */
 } mechanics_stats;
 mechanics_stats mechanics_statistics(const mechanics *m);

@@ -56,6 +56,7 @@ typedef struct gatherer {
     const body *bodies; /* NULL: none are joined */
     const capsule *capsules;
     const contact_kernel *kernel;
+    bool spheres, flat;
     contact_law_values law; /* the published one: distances between axes */
     double skin;
     uint32_t *found;             /* slots whose boxes meet */
@@ -69,7 +70,7 @@ typedef struct gatherer {
 /* Keeps those of the batch whose segments are near enough. */
 static void filter(gatherer *w) {
     kernel_batch *b = &w->batch;
-    w->kernel->contact(&w->law, w->nbatch, b);
+    w->kernel->contact[w->spheres][w->flat](&w->law, w->nbatch, b);
     w->owners = alloc_grow(w->owners, &w->owners_capacity, w->count + w->nbatch, sizeof *w->owners);
     w->partners = alloc_grow(w->partners, &w->partners_capacity, w->count + w->nbatch, sizeof *w->partners);
     for (size_t i = 0; i < w->nbatch; i++) {
@@ -103,7 +104,8 @@ static void gather(gatherer *w, size_t begin, size_t end) {
     for (size_t slot = begin; slot < end; slot++) {
         size_t nfound = grid_search(w->g, slot, &w->found, &w->found_capacity);
         for (size_t i = 0; i < nfound; i++)
-            if (!w->bodies || !body_is_joined(&w->bodies[slot], &w->bodies[w->found[i]], w->law.reach))
+            if (!SARCINA_FLEXIBLE || !w->bodies ||
+                !body_is_joined(&w->bodies[slot], &w->bodies[w->found[i]], w->law.reach))
                 load_candidate(w, (uint32_t)slot, w->found[i]);
     }
     filter(w);
@@ -226,6 +228,8 @@ void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules,
         w->bodies = list->chained ? bodies : NULL;
         w->capsules = capsules;
         w->kernel = kernel;
+        w->spheres = list->spheres;
+        w->flat = list->flat;
         w->law = (contact_law_values){1, reach, 0};
         w->skin = beyond;
         if (all)

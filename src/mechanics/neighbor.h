@@ -23,6 +23,8 @@ typedef struct neighbor {
     double skin;   /* um */
     double margin; /* rows hold pairs this much further apart, um */
     bool chained;  /* some bodies are segments of chains: those that are joined (body_is_joined) are no pair */
+    bool spheres;  /* no body has an axis */
+    bool flat;     /* all lies in a plane of constant z */
     bool listed;   /* the rows are written down; else they are of all pairs */
     size_t n;
     /* entries, row after row (start[n]), in the order of the partners' ids: the slots of a pair, that of lower id

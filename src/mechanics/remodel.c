@@ -107,7 +107,7 @@ static size_t find_anchors(const mechanics *m, uint32_t *rows) {
 /* Keeps those of the batch whose axes are near enough. */
 static void sift(seeker *s) {
     static const contact_law_values law = {1, 1, 0};
-    s->m->kernel->contact(&law, s->nbatch, &s->batch);
+    s->m->kernel->contact[s->m->cocci][s->m->flat](&law, s->nbatch, &s->batch);
     s->found = alloc_grow(s->found, &s->capacity, s->count + s->nbatch, sizeof *s->found);
     for (size_t i = 0; i < s->nbatch; i++) {
         s->found[s->count] = s->candidates[i];

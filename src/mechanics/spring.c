@@ -2,17 +2,17 @@
 #include "mechanics/spring.h"
 
 #include "base/alloc.h"
-#include "base/rng.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-double spring_direction(const double *a, const double *b, uint64_t seed, uint64_t key_a, uint64_t key_b, double u[3]) {
+double spring_direction(const double *a, const double *b, const force_frame *at, uint64_t key_a, uint64_t key_b,
+                        double u[3]) {
     double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     if (length == 0) {
-        rng_direction(seed, key_a, key_b, u);
+        force_direction(at, key_a, key_b, u);
         return 0;
     }
     for (int i = 0; i < 3; i++)

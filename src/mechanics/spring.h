@@ -26,6 +26,7 @@ void spring_index_free(spring_index *index);
 
 /* Unit vector and length from x_a to x_b. Without length the direction is seeded by the two keys: the same spring seen
  * from its other end has exactly the opposite one. */
-double spring_direction(const double *a, const double *b, uint64_t seed, uint64_t key_a, uint64_t key_b, double u[3]);
+double spring_direction(const double *a, const double *b, const force_frame *at, uint64_t key_a, uint64_t key_b,
+                        double u[3]);
 
 #endif

@@ -46,6 +46,7 @@ struct mechanics {
     double skin;             /* um */
     bool wants_pairs;        /* a term reads the neighbour list */
     bool cocci;              /* no body has more than one particle */
+    bool flat;               /* two dimensions: all lies in a plane of constant z */
 
     /* computed by evaluations */
     capsule *capsules; /* (nbodies), by slot */

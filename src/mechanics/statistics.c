@@ -33,6 +33,7 @@ mechanics_stats mechanics_statistics(const mechanics *m) {
     stats.skin = m->skin;
     stats.kernel = m->kernel->name;
     stats.spheres = m->cocci;
+    stats.flat = m->flat;
     return stats;
 }
 

@@ -120,8 +120,24 @@ void link_rules_grow(link_rules *r, size_t n) {
     r->nspecies = n;
 }
 
+/* Kinds that a build may leave out (src/without.cmake): none of their rules is ever found. */
+#ifndef SARCINA_WITHOUT_FILIAL
+#define SARCINA_WITHOUT_FILIAL 0
+#endif
+#ifndef SARCINA_WITHOUT_STICK
+#define SARCINA_WITHOUT_STICK 0
+#endif
+#ifndef SARCINA_WITHOUT_ANCHOR
+#define SARCINA_WITHOUT_ANCHOR 0
+#endif
+
+static bool is_left_out(link_kind kind) {
+    return (SARCINA_WITHOUT_FILIAL && kind == LINK_FILIAL) || (SARCINA_WITHOUT_STICK && kind == LINK_STICK) ||
+           (SARCINA_WITHOUT_ANCHOR && kind == LINK_ANCHOR);
+}
+
 const link_rule *link_rules_find(const link_rules *r, link_kind kind, int a, int b) {
-    if (a < 0 || (size_t)a >= r->nspecies || b < 0 || (size_t)b >= r->nspecies)
+    if (is_left_out(kind) || a < 0 || (size_t)a >= r->nspecies || b < 0 || (size_t)b >= r->nspecies)
         return NULL;
     const link_rule *rule = &r->list[kind][place_of(kind, r->nspecies, a, b)];
     return rule->on ? rule : NULL;

@@ -105,3 +105,43 @@ void region_draw(const region *r, gsl_rng *stream, double x[3]) {
             x[i] = gsl_ran_flat(stream, r->p[2 * i], r->p[2 * i + 1]);
     }
 }
+
+bool region_meets_plane(const region *r) {
+    switch (r->kind) {
+    case REGION_BLOCK:
+        return r->p[4] <= 0 && r->p[5] >= 0;
+    case REGION_SPHERE:
+        return fabs(r->p[2]) <= r->p[3];
+    case REGION_CYLINDER: /* along x or y: the second number is z */
+        return r->axis == 2 ? r->p[3] <= 0 && r->p[4] >= 0 : fabs(r->p[1]) <= r->p[2];
+    case REGION_PLANE:
+        break;
+    }
+    return true;
+}
+
+/* Half the width that a ball or disc of radius r, whose centre is at z, has in the plane z = 0. */
+static double half_width(double r, double z) {
+    return sqrt(fmax(0, r * r - z * z));
+}
+
+void region_draw_flat(const region *r, gsl_rng *stream, double x[3]) {
+    double u[3];
+    x[2] = 0;
+    if (r->kind == REGION_SPHERE) {
+        draw_unit_ball(stream, 2, u);
+        for (int i = 0; i < 2; i++)
+            x[i] = r->p[i] + half_width(r->p[3], r->p[2]) * u[i];
+    } else if (r->kind == REGION_CYLINDER && r->axis == 2) {
+        draw_unit_ball(stream, 2, u);
+        for (int i = 0; i < 2; i++)
+            x[i] = r->p[i] + r->p[2] * u[i];
+    } else if (r->kind == REGION_CYLINDER) {
+        double half = half_width(r->p[2], r->p[1]);
+        x[across[r->axis][0]] = r->p[0] + gsl_ran_flat(stream, -half, half);
+        x[r->axis] = gsl_ran_flat(stream, r->p[3], r->p[4]);
+    } else {
+        for (int i = 0; i < 2; i++)
+            x[i] = gsl_ran_flat(stream, r->p[2 * i], r->p[2 * i + 1]);
+    }
+}

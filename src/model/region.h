@@ -36,4 +36,8 @@ const char *region_unbounded(const region *r);
 /* A point uniform in the region, of which region_unbounded must have said NULL. A flat one is drawn from evenly too. */
 void region_draw(const region *r, gsl_rng *stream, double x[3]);
 
+/* Has the region a part in the plane z = 0; and the same from that part of it, of which that must have been true. */
+bool region_meets_plane(const region *r);
+void region_draw_flat(const region *r, gsl_rng *stream, double x[3]);
+
 #endif

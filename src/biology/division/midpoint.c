@@ -19,7 +19,7 @@ static vec3 direction(const division_context *x, uint32_t mother, uint32_t daugh
     double length = vec3_norm(d), u[3];
     if (length > 0)
         return vec3_scale(1 / length, d);
-    rng_direction(rng_get_seed(x->rng), c->cell.id[mother], c->cell.id[daughter], u);
+    (x->flat ? rng_direction_flat : rng_direction)(rng_get_seed(x->rng), c->cell.id[mother], c->cell.id[daughter], u);
     return vec3_load(u);
 }
 
@@ -29,7 +29,7 @@ static vec3 draw_side(const division_context *x, uint64_t id, vec3 d) {
     vec3 u = {0, 0, 1}, side;
     bool left = gsl_rng_uniform(stream) < 0.5;
     do {
-        if (!x->substratum || fabs(d.z) > 0.99)
+        if (!x->horizontal || fabs(d.z) > 0.99)
             gsl_ran_dir_3d(stream, &u.x, &u.y, &u.z);
         side = vec3_cross(u, d);
     } while (vec3_norm(side) < 0.01);

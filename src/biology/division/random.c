@@ -37,14 +37,17 @@ static double overlap_at(const colony *c, const uint32_t *near, size_t n, vec3 p
 static void place(const division_context *x, uint32_t mother, uint32_t daughter) {
     colony *c = x->colony;
     const style_choice *rule = &x->species->list[c->cell.species[mother]].division;
-    vec3 centre = vec3_load(division_place(c, mother, 0)), best = {0, 0, 1};
+    vec3 centre = vec3_load(division_place(c, mother, 0)), best = {x->flat, 0, !x->flat};
     double r = 0.5 * c->cell.diameter[mother], least = INFINITY;
     size_t count;
     uint32_t *near = cells_near(c, mother, daughter, division_place(c, mother, 0), &count);
     gsl_rng *stream = rng_stream(x->rng, RNG_DIRECTION, c->cell.id[daughter], 0);
     for (int i = 0; i < (int)rule->values[DIVISION_TRIES].a && least > 0; i++) {
-        vec3 u;
-        gsl_ran_dir_3d(stream, &u.x, &u.y, &u.z);
+        vec3 u = {0, 0, 0};
+        if (x->flat)
+            gsl_ran_dir_2d(stream, &u.x, &u.y);
+        else
+            gsl_ran_dir_3d(stream, &u.x, &u.y, &u.z);
         vec3 p = vec3_axpy(centre, -r, u), q = vec3_axpy(centre, r, u);
         double overlap = overlap_at(c, near, count, p, r) + overlap_at(c, near, count, q, r);
         if (x->substratum && fmin(p.z, q.z) < x->substratum_z + r)

@@ -8,7 +8,6 @@
  * (2010). */
 #include "mechanics/force/forces.h"
 
-#include "base/rng.h"
 #include "model/chain.h"
 
 #include <math.h>
@@ -26,7 +25,7 @@ typedef struct joint {
 /* A unit vector at right angles to a, from the particle's key. */
 static vec3 seeded_normal(const force_frame *at, const chain *c, uint32_t i, vec3 a, double length) {
     double u[3];
-    rng_direction(at->seed, body_chain_key(c, i - 1), body_chain_key(c, i + 1), u);
+    force_direction(at, body_chain_key(c, i - 1), body_chain_key(c, i + 1), u);
     vec3 normal = vec3_cross(a, vec3_load(u));
     double size = vec3_norm(normal);
     if (!(size > 1e-6 * length))

@@ -9,8 +9,6 @@
 #include "mechanics/kernel.h"
 #include "mechanics/neighbor.h"
 
-#include "base/rng.h"
-
 #include <stdbool.h>
 #include <string.h>
 
@@ -32,12 +30,20 @@ typedef struct stream {
     kernel_batch batch;
 } stream;
 
-static void load(stream *s, size_t n) {
+/* What follows is compiled for each kind of scene, with and without flexible cells, in space and in the plane: a test a
+ * row would be 0.3 % of an evaluation. */
+#define COLLISION_INLINE static inline __attribute__((always_inline))
+typedef struct kind {
+    bool chains;
+    int dimensions;
+} kind;
+
+COLLISION_INLINE void load(stream *s, size_t n, kind of) {
     kernel_batch *b = &s->batch;
     const capsule *capsules = s->at->capsules;
     for (size_t i = 0; i < n; i++) {
         const capsule *p = &capsules[s->first[i] & ~NEIGHBOR_OWN], *q = &capsules[s->second[i]];
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < of.dimensions; k++) {
             b->r[k][i] = p->x[k] - q->x[k];
             b->d1[k][i] = p->d[k];
             b->d2[k][i] = q->d[k];
@@ -56,7 +62,7 @@ static void push_coincident(stream *s, size_t n) {
             continue;
         double u[3], push = b->side[i] * s->law.k * (sqrt(b->reach[i]) - sqrt(b->g[i]));
         const body *a = &s->at->bodies[s->first[i] & ~NEIGHBOR_OWN], *c = &s->at->bodies[s->second[i]];
-        rng_direction(s->at->seed, body_key(a), body_key(c), u);
+        force_direction(s->at, body_key(a), body_key(c), u);
         for (int k = 0; k < 3; k++) {
             b->force[k][i] = push * u[k];
             b->last[k][i] = b->place[i] * b->force[k][i];
@@ -73,14 +79,14 @@ static void begin_row(stream *s) {
 
 /* Gives the owner the sum of its row, and goes on to the next. The last particle of a chain's segment belongs to the
  * next one: its share waits there until all bodies are done. */
-static void end_row(stream *s) {
+COLLISION_INLINE void end_row(stream *s, kind of) {
     const body *owner = &s->at->bodies[s->slot];
     double *first = s->f + 3 * (size_t)owner->first, *last = first + 3 * (size_t)(owner->count - 1);
-    if (owner->chained) {
+    if (of.chains && owner->chained) {
         last = s->at->shares + 3 * (size_t)(owner->first + 1);
         last[0] = last[1] = last[2] = 0;
     }
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < of.dimensions; k++) {
         first[k] += s->total[k] - s->last[k];
         last[k] += s->last[k];
     }
@@ -89,13 +95,13 @@ static void end_row(stream *s) {
 }
 
 /* Sums entries begin ... end - 1 of the batch, in the order of the partners' ids. */
-static void sum_entries(stream *s, size_t begin, size_t end) {
+COLLISION_INLINE void sum_entries(stream *s, size_t begin, size_t end, kind of) {
     const kernel_batch *b = &s->batch;
     double total[3], last[3];
     memcpy(total, s->total, sizeof total);
     memcpy(last, s->last, sizeof last);
     for (size_t i = begin; i < end; i++)
-        for (int k = 0; k < 3; k++) {
+        for (int k = 0; k < of.dimensions; k++) {
             total[k] += b->force[k][i];
             last[k] += b->last[k][i];
         }
@@ -104,22 +110,22 @@ static void sum_entries(stream *s, size_t begin, size_t end) {
 }
 
 /* Computes and sums n entries from `begin` on. */
-static void pass(stream *s, size_t begin, size_t n) {
+COLLISION_INLINE void pass(stream *s, size_t begin, size_t n, kind of) {
     const contact_kernel *kernel = s->at->kernel;
     neighbor_pairs(s->at->neighbor, s->at->bodies, begin, n, s->first_buffer, s->second_buffer, &s->first, &s->second);
-    load(s, n);
-    if ((s->at->cocci ? kernel->sphere : kernel->contact)(&s->law, n, &s->batch))
+    load(s, n, of);
+    if (kernel->contact[s->at->cocci][s->at->flat](&s->law, n, &s->batch))
         push_coincident(s, n);
     for (size_t entry = begin; entry < begin + n;) {
         while (s->row_end == entry)
-            end_row(s);
+            end_row(s, of);
         size_t stop = s->row_end < begin + n ? s->row_end : begin + n;
-        sum_entries(s, entry - begin, stop - begin);
+        sum_entries(s, entry - begin, stop - begin, of);
         entry = stop;
     }
 }
 
-static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+COLLISION_INLINE void add_rows(const double *p, const force_frame *at, size_t begin, size_t end, double *f, kind of) {
     stream s;
     s.at = at;
     s.f = f;
@@ -128,9 +134,18 @@ static void add(const double *p, const force_frame *at, size_t begin, size_t end
     begin_row(&s);
     size_t entry = neighbor_start(at->neighbor, begin), stop = neighbor_start(at->neighbor, end);
     for (; entry < stop; entry += KERNEL_BATCH)
-        pass(&s, entry, stop - entry < KERNEL_BATCH ? stop - entry : KERNEL_BATCH);
+        pass(&s, entry, stop - entry < KERNEL_BATCH ? stop - entry : KERNEL_BATCH, of);
     while (s.slot < end)
-        end_row(&s);
+        end_row(&s, of);
+}
+
+static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+    if (SARCINA_FLEXIBLE && at->nchains)
+        add_rows(p, at, begin, end, f, (kind){true, 3});
+    else if (at->flat)
+        add_rows(p, at, begin, end, f, (kind){false, 2});
+    else
+        add_rows(p, at, begin, end, f, (kind){false, 3});
 }
 
 /* The owners of a chain's particles take the shares that its segments left for them. */
@@ -143,15 +158,30 @@ static void add_chain(const double *p, const force_frame *at, size_t begin, size
     }
 }
 
-static contact_result contact_with(const force_frame *at, contact_law_values law, size_t slot, uint32_t partner) {
-    const capsule *a = &at->capsules[slot], *b = &at->capsules[partner];
-    contact_pair pair = {.radii = a->radius + b->radius, .rests = a->rest * b->rest};
-    for (int k = 0; k < 3; k++) {
+static contact_pair pair_of(const force_frame *at, const capsule *a, const capsule *b) {
+    contact_pair pair = {.radii = a->radius + b->radius, .rests = at->cocci ? 0 : a->rest * b->rest};
+    for (int k = 0; k < 3; k++)
         pair.r[k] = a->x[k] - b->x[k];
+    return pair;
+}
+
+/* Without axes most of the law is constant. */
+static contact_result touch_spheres(const force_frame *at, contact_law_values law, const capsule *a, const capsule *b) {
+    return contact_compute(law, pair_of(at, a, b));
+}
+
+static contact_result touch_segments(const force_frame *at, contact_law_values law, const capsule *a,
+                                     const capsule *b) {
+    contact_pair pair = pair_of(at, a, b);
+    for (int k = 0; k < 3; k++) {
         pair.d1[k] = a->d[k];
         pair.d2[k] = b->d[k];
     }
     return contact_compute(law, pair);
+}
+
+static contact_result contact_with(const force_frame *at, contact_law_values law, size_t slot, uint32_t partner) {
+    return (at->cocci ? touch_spheres : touch_segments)(at, law, &at->capsules[slot], &at->capsules[partner]);
 }
 
 static double energy(const double *p, const force_frame *at, size_t slot) {

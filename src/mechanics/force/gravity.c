@@ -39,7 +39,7 @@ const force_style force_gravity = {
     .example = "force gravity g 9.81m/s2 fluid 998kg/m3",
     .params = params,
     .nparams = sizeof params / sizeof params[0],
-    .caps = FORCE_CONSERVATIVE,
+    .caps = FORCE_CONSERVATIVE | FORCE_ALONG_Z,
     .add = add,
     .energy = energy,
 };

@@ -4,7 +4,6 @@
  * segment, whose rest length is its part of the cell's.
  * Source: Storck et al. 2014, "Primary structure". */
 #include "mechanics/force/forces.h"
-#include "base/rng.h"
 #include "base/vec3.h"
 #include "mechanics/spring.h"
 
@@ -18,7 +17,7 @@ static double pull(const force_frame *at, const body *b, double d[3]) {
     double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     if (length > 0)
         return b->internal_k * (length - b->rest) / length;
-    rng_direction(at->seed, body_particle_key(b, b->first), body_particle_key(b, b->first + 1), d);
+    force_direction(at, body_particle_key(b, b->first), body_particle_key(b, b->first + 1), d);
     return -b->internal_k * b->rest;
 }
 
@@ -54,7 +53,7 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
     stiff_spring *s = force_spring_add(out);
     const double *x = at->x + 3 * (size_t)b->first;
     double u[3];
-    spring_direction(x, x + 3, at->seed, body_particle_key(b, b->first), body_particle_key(b, b->first + 1), u);
+    spring_direction(x, x + 3, at, body_particle_key(b, b->first), body_particle_key(b, b->first + 1), u);
     s->k = b->internal_k;
     force_spring_end(s, b->first, 1, u);
     force_spring_end(s, b->first + 1, -1, u);
@@ -63,7 +62,7 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
 /* Stretch of a chain's i-th segment, and its direction. */
 static double stretch_of(const force_frame *at, const chain *c, uint32_t i, double u[3]) {
     const double *x = at->x + 3 * ((size_t)c->first + i);
-    return spring_direction(x, x + 3, at->seed, body_chain_key(c, i), body_chain_key(c, i + 1), u) - c->rest;
+    return spring_direction(x, x + 3, at, body_chain_key(c, i), body_chain_key(c, i + 1), u) - c->rest;
 }
 
 static void add_chain(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {

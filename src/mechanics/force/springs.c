@@ -14,7 +14,7 @@ static double reach_end(const force_frame *at, const spring_end *end, uint64_t k
     const spring_columns *springs = at->springs->springs;
     const double *x = at->x + 3 * (size_t)particle;
     if (end->other != SPRING_ANCHOR)
-        return spring_direction(x, at->x + 3 * (size_t)end->other, at->seed, key, end->key, u);
+        return spring_direction(x, at->x + 3 * (size_t)end->other, at, key, end->key, u);
     const double *anchor = springs->anchor + 3 * (size_t)end->spring;
     bool glides = springs->glides[end->spring];
     double d[3] = {glides ? 0 : anchor[0] - x[0], glides ? 0 : anchor[1] - x[1], anchor[2] - x[2]};

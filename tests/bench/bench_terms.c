@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* bench-terms SCENE SECONDS [+TERM|-TERM]...: relaxes a scene by velocity Verlet with steps of 1 ms. SCENE: cocci or
+ * rods, 120 of them that touch, on which collision, damping and, for rods, their springs act; +TERM adds one to that,
+ * -TERM takes one out: a force term, filial, stick or anchor (links and their rules), chains (12 flexible cells).
+ * SECONDS 0: 20 force evaluations at the state as it is. It prints what there was to do, and nothing of time:
+ * tests/bench/term_cost counts its instructions. */
+#include "packing.h"
+
+#include "mechanics/remodel.h"
+#include "model/link.h"
+#include "relax/relax.h"
+
+#include <stdio.h>
+
+enum { CELLS = 120, ROW = 10, CHAINS = 12, EVALUATIONS = 20 };
+
+/* Side by side and end to end, each turned a little, in a layer on the plane. */
+static void add_cells(packing *p, bool rods) {
+    for (int i = 0; i < CELLS; i++) {
+        double x = (rods ? 2.85 : 0.79) * (i % ROW), y = 0.79 * (i / ROW), turn = packing_draw(p, -0.02, 0.02);
+        if (rods)
+            packing_rod(p, (double[]){x, y - turn, 0.4}, (double[]){x + 2, y + turn, 0.41}, 2, 0.8);
+        else
+            packing_coccus(p, (double[]){x, y + turn, 0.4}, 0.8);
+    }
+}
+
+static void add_chains(packing *p) {
+    for (int i = 0; i < CHAINS; i++)
+        packing_coil(p, (double[]){3 * i, -4, 1}, 0.6, 0.5, 0.01);
+}
+
+/* Links of a kind between neighbours in a row, and their rule. */
+static void add_links(packing *p, link_kind kind, bool rods) {
+    const link_rule rules[LINK_STYLES] = {[LINK_FILIAL] = {true, {2e4, 2, 0.5, 1.7, 1.1}},
+                                          [LINK_STICK] = {true, {1e4, 0.1, 1}},
+                                          [LINK_ANCHOR] = {true, {1e4, 0.1, 1}}};
+    int of = rods ? PACKING_ROD : PACKING_COCCUS;
+    link_rules_set(&p->links, kind, of, of, &rules[kind]);
+    for (uint32_t i = 0; i + 1 < CELLS; i++) {
+        if (kind == LINK_ANCHOR)
+            link_add_anchor(p->c, &rules[kind], i, 0, 0);
+        else if (kind == LINK_FILIAL && (i + 1) % ROW)
+            link_add_filial(p->c, &rules[kind], LINK_STRAIGHT, i + 1, LINK_FIRST_END, i, LINK_LAST_END, 0);
+        else if (kind == LINK_STICK && i + ROW < CELLS)
+            link_add_stick(p->c, &rules[kind], i, i + ROW, 0);
+    }
+}
+
+/* One word of the command line; false: there is no such thing. */
+static bool change(packing *p, const char *word, bool rods) {
+    const char *name = word + 1;
+    for (int kind = 0; kind < LINK_STYLES; kind++)
+        if (strcmp(word, (const char *[]){"+filial", "+stick", "+anchor"}[kind]) == 0) {
+            add_links(p, (link_kind)kind, rods);
+            return true;
+        }
+    if (strcmp(word, "+chains") == 0) {
+        add_chains(p);
+        return true;
+    }
+    for (int i = 0; i < FORCE_COUNT; i++)
+        if (strcmp(force_styles[i]->name, name) == 0 && (*word == '+' || *word == '-')) {
+            p->forces.term[i].on = *word == '+';
+            return true;
+        }
+    return false;
+}
+
+/* The first evaluation, which builds the list, goes by another name. */
+static void evaluate(const packing *p, mechanics *m) {
+    double *f = calloc(3 * p->c->particle.count, sizeof *f);
+    mechanics_force_undamped(m, p->c->particle.x, f);
+    for (int i = 0; i < EVALUATIONS; i++)
+        mechanics_force(m, p->c->particle.x, p->c->particle.v, f);
+    free(f);
+}
+
+int main(int argc, char **argv) {
+    bool rods = argc > 1 && strcmp(argv[1], "rods") == 0;
+    if (argc < 3 || (!rods && strcmp(argv[1], "cocci") != 0)) {
+        fprintf(stderr, "usage: bench-terms cocci|rods SECONDS [+TERM|-TERM]...\n");
+        return 2;
+    }
+    packing p = packing_create(1);
+    packing_on(&p, FORCE_COLLISION, FORCE_COLLISION);
+    packing_on(&p, FORCE_DAMPING, FORCE_DAMPING);
+    add_cells(&p, rods);
+    for (int i = 3; i < argc; i++)
+        if (!change(&p, argv[i], rods)) {
+            fprintf(stderr, "bench-terms: no term '%s'\n", argv[i]);
+            return 2;
+        }
+    mechanics *m = mechanics_create();
+    diag d = {0};
+    if (packing_bind(&p, m, NEIGHBOR_CELLS, 1, &d) != SARCINA_OK) {
+        fprintf(stderr, "bench-terms: %s\n", d.message);
+        return 1;
+    }
+    relax_result result = {.evaluations = EVALUATIONS};
+    if (atof(argv[2]) == 0)
+        evaluate(&p, m);
+    const relax_settings how = {.integrator = INTEGRATOR_VERLET, .most = 1e-3};
+    if (atof(argv[2]) > 0 && relax_run(m, &how, &(relax_goal){.time = atof(argv[2])}, &result, &d) != SARCINA_OK) {
+        fprintf(stderr, "bench-terms: %s\n", d.message);
+        return 1;
+    }
+    mechanics_stats s = mechanics_statistics(m);
+    printf("%zu cells %zu links %zu pairs %llu evaluations %s\n", p.c->cell.count, p.c->link.count, s.pairs,
+           (unsigned long long)result.evaluations, s.kernel);
+    mechanics_free(m);
+    packing_free(&p);
+    return 0;
+}
