@@ -17,11 +17,15 @@ typedef struct division_context {
     const link_rules *links; /* NULL: no links are made or handed on */
     rng *rng;
     double time;     /* growth time at which the daughters are born, s */
-    bool horizontal; /* random directions are drawn in the plane of x and y: on a substratum, in two dimensions */
-    bool flat;       /* two dimensions: so are those of divisions */
+    bool flat;       /* two dimensions: all stays in the plane of x and y */
     bool substratum; /* is there a plane, and at which height (um)? */
     double substratum_z;
 } division_context;
+
+/* Are random directions beside the division's own (jitter, frame, side of a snap) drawn in the plane of x and y? */
+static inline bool division_is_horizontal(const division_context *x) {
+    return x->substratum || x->flat;
+}
 
 typedef struct division_style {
     const char *name, *summary, *source, *example;

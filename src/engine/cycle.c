@@ -49,7 +49,6 @@ int scene_grow(scene *s, double dt, diag *d) {
                                 .links = &s->links,
                                 .rng = s->rng,
                                 .time = s->time,
-                                .horizontal = s->dimension == 2 || s->forces.term[FORCE_SUBSTRATUM].on,
                                 .flat = s->dimension == 2,
                                 .substratum = s->forces.term[FORCE_SUBSTRATUM].on,
                                 .substratum_z = s->forces.term[FORCE_SUBSTRATUM].p[SUBSTRATUM_Z]};

@@ -2,8 +2,8 @@
 /* bench-terms SCENE SECONDS [+TERM|-TERM]...: relaxes a scene by velocity Verlet with steps of 1 ms. SCENE: cocci or
  * rods, 120 of them that touch, on which collision, damping and, for rods, their springs act; +TERM adds one to that,
  * -TERM takes one out: a force term, filial, stick or anchor (links and their rules), chains (12 flexible cells).
- * SECONDS 0: 20 force evaluations at the state as it is. It prints what there was to do, and nothing of time:
- * tests/bench/term_cost counts its instructions. */
+ * +flat, the last: in two dimensions. SECONDS 0: 20 force evaluations at the state as it is. It prints what there was
+ * to do, and nothing of time: tests/bench/term_cost counts its instructions. */
 #include "packing.h"
 
 #include "mechanics/remodel.h"
@@ -55,6 +55,11 @@ static bool change(packing *p, const char *word, bool rods) {
             add_links(p, (link_kind)kind, rods);
             return true;
         }
+    if (strcmp(word, "+flat") == 0) {
+        for (size_t i = 0; i < p->c->particle.count; i++)
+            p->c->particle.x[3 * i + 2] = 0;
+        return true;
+    }
     if (strcmp(word, "+chains") == 0) {
         add_chains(p);
         return true;
@@ -76,6 +81,18 @@ static void evaluate(const packing *p, mechanics *m) {
     free(f);
 }
 
+static int bind(const packing *p, bool flat, mechanics *m, diag *d) {
+    const mechanics_input in = {.colony = p->c,
+                                .species = &p->species,
+                                .forces = &p->forces,
+                                .links = &p->links,
+                                .neighbor = {.skin = -1, .method = NEIGHBOR_CELLS},
+                                .seed = 7,
+                                .flat = flat,
+                                .threads = 1};
+    return mechanics_prepare(m, &in, d);
+}
+
 int main(int argc, char **argv) {
     bool rods = argc > 1 && strcmp(argv[1], "rods") == 0;
     if (argc < 3 || (!rods && strcmp(argv[1], "cocci") != 0)) {
@@ -93,7 +110,8 @@ int main(int argc, char **argv) {
         }
     mechanics *m = mechanics_create();
     diag d = {0};
-    if (packing_bind(&p, m, NEIGHBOR_CELLS, 1, &d) != SARCINA_OK) {
+    bool flat = strcmp(argv[argc - 1], "+flat") == 0;
+    if (bind(&p, flat, m, &d) != SARCINA_OK) {
         fprintf(stderr, "bench-terms: %s\n", d.message);
         return 1;
     }

@@ -37,7 +37,7 @@ syntax keyword sarcinaStyle sphere stick stiffness string table top twist verlet
 syntax match sarcinaStyle /\<\%(link\)\>/
 
 syntax match sarcinaFunction /\<\%(abs\|acos\|asin\|atan\|atan2\|ceil\|ci95\|cos\|count\|defined\|descends\|exp\|floor\|fraction\|hypot\|is_file\|ln\|log10\|max\|mean\|median\|min\|normal\|poisson\|quantile\|random\|round\|sd\|sign\|sin\|sqrt\|sum\|tan\|ternary\)\ze(/
-syntax match sarcinaCommand /^\s*\%(accuracy\|analyze\|apropos\|attach\|clear\|create_cells\|delete_cells\|division\|dump\|dump_modify\|echo\|edit\|expect\|expect_error\|force\|group\|grow\|growth\|help\|include\|info\|integrator\|link\|log\|neighbor\|plot\|print\|quit\|read_data\|read_restart\|region\|relax\|restart\|run\|save\|seed\|set\|shell\|show\|species\|substratum\|thermo\|thermo_modify\|thermo_style\|threads\|tradeoff\|undo\|undump\|units\|variable\|warn\|watch\|write_data\|write_dump\|write_restart\)\ze\%(\s\|$\)/
+syntax match sarcinaCommand /^\s*\%(accuracy\|analyze\|apropos\|attach\|clear\|create_cells\|delete_cells\|dimension\|division\|dump\|dump_modify\|echo\|edit\|expect\|expect_error\|force\|group\|grow\|growth\|help\|include\|info\|integrator\|link\|log\|neighbor\|plot\|print\|quit\|read_data\|read_restart\|region\|relax\|restart\|run\|save\|seed\|set\|shell\|show\|species\|substratum\|thermo\|thermo_modify\|thermo_style\|threads\|tradeoff\|undo\|undump\|units\|variable\|warn\|watch\|write_data\|write_dump\|write_restart\)\ze\%(\s\|$\)/
 syntax match sarcinaBlock /^\s*\%(break\|continue\|elif\|else\|end\|for\|if\|repeat\|while\)\ze\%(\s\|$\)/
 
 " a number with its unit: 0.75um, 1.23/h, 1e-13N.s/m, 5%

@@ -29,7 +29,7 @@ static vec3 draw_side(const division_context *x, uint64_t id, vec3 d) {
     vec3 u = {0, 0, 1}, side;
     bool left = gsl_rng_uniform(stream) < 0.5;
     do {
-        if (!x->horizontal || fabs(d.z) > 0.99)
+        if (!division_is_horizontal(x) || fabs(d.z) > 0.99)
             gsl_ran_dir_3d(stream, &u.x, &u.y, &u.z);
         side = vec3_cross(u, d);
     } while (vec3_norm(side) < 0.01);

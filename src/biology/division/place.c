@@ -18,7 +18,7 @@ vec3 division_jitter(const division_context *x, const style_choice *rule, uint64
     vec3 u = {axis == AXIS_X, axis == AXIS_Y, axis == AXIS_Z};
     if (axis == AXIS_AUTO) {
         gsl_rng *stream = rng_stream(x->rng, RNG_JITTER, id, 0);
-        if (x->horizontal)
+        if (division_is_horizontal(x))
             gsl_ran_dir_2d(stream, &u.x, &u.y);
         else
             gsl_ran_dir_3d(stream, &u.x, &u.y, &u.z);

@@ -28,7 +28,7 @@ static const quaternion turns[] = {
 static quaternion draw_frame(const division_context *x, uint64_t id) {
     gsl_rng *stream = rng_stream(x->rng, RNG_FRAME, id, 0);
     double q[4] = {0};
-    if (x->horizontal)
+    if (division_is_horizontal(x))
         gsl_ran_dir_2d(stream, &q[2], &q[3]);
     else
         gsl_ran_dir_nd(stream, 4, q);
