@@ -42,6 +42,11 @@ inference_difference inference_compare(inference_sample a, inference_sample b) {
     return (inference_difference){a.mean - b.mean, sqrt(v), freedom};
 }
 
+inference_difference inference_paired(inference_sample differences) {
+    double n = (double)differences.n;
+    return (inference_difference){differences.mean, differences.sd / sqrt(n), n - 1};
+}
+
 double inference_width(inference_difference d, double level) {
     return d.error == 0 ? 0 : quantile(0.5 + level / 2, d.freedom) * d.error;
 }
@@ -58,6 +63,36 @@ double inference_p_equivalent(inference_difference d, double margin) {
     turned.value = -d.value;
     double lower = inference_p_above(d, -margin), upper = inference_p_above(turned, -margin);
     return isnan(lower) || lower > upper ? lower : upper;
+}
+
+/* The chance that the mean of n differences clears a test whose bound is the t at `certainty`, of an effect of `ratio`
+ * standard deviations; both: from either side at once. */
+static double power_of(double n, double ratio, double certainty, int both) {
+    double beyond = ratio * sqrt(n) - gsl_cdf_tdist_Pinv(certainty, n - 1);
+    double power = gsl_cdf_tdist_P(beyond, n - 1);
+    return both ? 2 * power - 1 : power;
+}
+
+static double pairs_for(double ratio, double certainty, int both) {
+    const double most = 1e6, power = 0.8;
+    if (isnan(ratio))
+        return NAN;
+    if (!(power_of(most, ratio, certainty, both) >= power))
+        return INFINITY;
+    double low = 1, high = most; /* too few; enough */
+    while (high - low > 1) {
+        double middle = floor((low + high) / 2);
+        *(power_of(middle, ratio, certainty, both) >= power ? &high : &low) = middle;
+    }
+    return high;
+}
+
+double inference_pairs_equivalent(double sd, double margin) {
+    return pairs_for(margin / sd, 0.95, 1);
+}
+
+double inference_pairs_different(double sd, double difference, double level) {
+    return pairs_for(fabs(difference) / sd, 0.5 + level / 2, 0);
 }
 
 void inference_holm(const double *p, size_t n, double *adjusted) {

@@ -32,6 +32,9 @@ typedef struct inference_difference {
 
 inference_difference inference_compare(inference_sample a, inference_sample b);
 
+/* The mean of differences taken pair by pair. */
+inference_difference inference_paired(inference_sample differences);
+
 /* Half-width of the interval of the difference; level: 0.95. */
 double inference_width(inference_difference d, double level);
 
@@ -41,6 +44,12 @@ double inference_p_above(inference_difference d, double bound);
 /* p of two one-sided tests (Schuirmann 1987, J. Pharmacokinet. Biopharm. 15:657): how likely so small a difference is
  * if the true one were margin or more, either way. */
 double inference_p_equivalent(inference_difference d, double margin);
+
+/* How many pairs find, with a power of 80 %, that two are equivalent within margin (p of the two one-sided tests below
+ * 5 %) where in truth they do not differ; and that they differ, by an interval of this level, where in truth they do by
+ * `difference`. sd: of the differences. By the central t; infinite beyond a million, NaN where sd is. */
+double inference_pairs_equivalent(double sd, double margin);
+double inference_pairs_different(double sd, double difference, double level);
 
 /* p (n) corrected for being many, by Holm's steps; in the order given. NaN: a question not asked, and not counted. */
 void inference_holm(const double *p, size_t n, double *adjusted);

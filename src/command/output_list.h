@@ -79,9 +79,10 @@ void output_list_drop_analysis(outputs *o, size_t i);
 
 void output_list_release_columns(output_column *columns, size_t n);
 
-/* thermo.c: the columns of `thermo_style one`; the heading, into the log and where asked on the screen; the row of the
- * present step, to either. */
+/* thermo.c: the columns of `thermo_style one`; one of a value over all cells, the caller's; the heading, into the log
+ * and where asked on the screen; the row of the present step, to either. */
 void output_list_default_thermo(outputs *o);
+output_column output_list_plain_column(interp *in, const char *name, const char *field); /* field NULL: the bare name */
 void output_list_print_header(outputs *o, bool screen);
 int output_list_print_row(outputs *o, bool screen, bool log, diag *d);
 

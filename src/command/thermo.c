@@ -15,6 +15,8 @@
 typedef struct plain_column {
     interp *in;
     const value_style *style;
+    dim d;
+    size_t out; /* 0: the bare name's number; else 1 + the field's row */
 } plain_column;
 
 static int plain_number(void *self, uint32_t row, double *si, diag *d) {
@@ -23,22 +25,29 @@ static int plain_number(void *self, uint32_t row, double *si, diag *d) {
     double out[1 + VALUE_FIELDS_MAX];
     view v = scene_view(interp_scene(c->in));
     int status = c->style->measure(&v, NULL, out, d);
-    *si = dim_from_engine(out[0], value_dim(c->style));
+    *si = dim_from_engine(out[c->out], c->d);
     return status;
 }
 
-static output_column make_plain(interp *in, const char *name) {
+output_column output_list_plain_column(interp *in, const char *name, const char *field) {
     plain_column *c = alloc_zeroed(1, sizeof *c);
-    *c = (plain_column){in, value_find(name)};
-    return (output_column){
-        .name = alloc_copy(name), .d = value_dim(c->style), .self = c, .number = plain_number, .release = free};
+    *c = (plain_column){.in = in, .style = value_find(name)};
+    output_column column = {.d = value_dim(c->style), .self = c, .number = plain_number, .release = free};
+    char known[32];
+    if (field) {
+        c->out = 1 + (size_t)value_field_find(c->style, field);
+        value_field(c->style, c->out - 1, known, &column.d);
+    }
+    c->d = column.d;
+    column.name = field ? alloc_format("%s.%s", name, field) : alloc_copy(name);
+    return column;
 }
 
 void output_list_default_thermo(outputs *o) {
     static const char *const names[] = {"step", "time", "relaxed", "cells", "links", "fmax"};
     output_column columns[TABLE_COUNT(names)];
     for (size_t i = 0; i < TABLE_COUNT(names); i++)
-        columns[i] = make_plain(o->in, names[i]);
+        columns[i] = output_list_plain_column(o->in, names[i], NULL);
     thermo_set_columns(o->table, columns, TABLE_COUNT(names));
 }
 

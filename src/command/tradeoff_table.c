@@ -3,11 +3,12 @@
 
 #include "base/dim.h"
 #include "output/field.h"
+#include "output/readable.h"
 
 #include <inttypes.h>
 #include <math.h>
 
-/* ---- the screen -------------------------------------------------------------------------------------------------- */
+/* ---- one relaxation, on the screen ------------------------------------------------------------------------------- */
 
 static const char *const states[] = {[TRADEOFF_MEASURED] = "",
                                      [TRADEOFF_RESOLVED] = "as exact as the reference",
@@ -28,33 +29,88 @@ static void print_row(interp *in, const tradeoff_method *m, const tradeoff_row *
         interp_print(in, "  %-10s failed: %s", m->name, row->reason);
         return;
     }
-    interp_print(in, "%c %-10s %10.4f %12" PRIu64 " %9" PRIu64 " %11.2e %11.2e  %s", row->front ? '*' : ' ', m->name,
+    const char *state = states[row->state];
+    interp_print(in, "%c %-10s %10.4f %12" PRIu64 " %9" PRIu64 " %11.2e %11.2e%s%s", row->front ? '*' : ' ', m->name,
                  row->cost.seconds, row->cost.evaluations, row->cost.steps, row->error.most, row->error.rms,
-                 states[row->state]);
+                 *state ? "  " : "", state);
 }
 
-static size_t count_state(const tradeoff_result *r, tradeoff_state state) {
-    size_t count = 0;
-    for (size_t i = 0; i < r->n; i++)
-        count += r->rows[i].state == state;
-    return count;
-}
-
-void tradeoff_table_print(interp *in, const tradeoff_result *r) {
+static void print_relaxation(interp *in, const tradeoff_result *r) {
     char grow[64] = "";
+    bool chaos = false;
     if (r->plan.grow > 0)
         snprintf(grow, sizeof grow, "growth for %g s, then ", r->plan.grow);
     interp_print(in, "%sone relaxation of %g s, %zu cells", grow, r->plan.relax, r->reference.cells);
     print_reference(in, &r->reference);
     interp_print(in, "  %-10s %10s %12s %9s %11s %11s", "preset", "CPU s", "evaluations", "steps", "error um",
                  "rms um");
-    for (size_t i = 0; i < r->n; i++)
+    for (size_t i = 0; i < r->n; i++) {
         print_row(in, &r->methods[i], &r->rows[i]);
-    if (count_state(r, TRADEOFF_CHAOS))
+        chaos = chaos || r->rows[i].state == TRADEOFF_CHAOS;
+    }
+    if (chaos)
         interp_print(in, "chaos: a displacement too small to see changes the end about as much as the preset does; its "
                          "positions say nothing of accuracy, quantities over many seeds do (cycles, seeds)");
     if (tradeoff_most_exact(r->rows, r->n) >= 0)
         interp_print(in, "*: Pareto front: no other has fewer evaluations and is as exact (rms)");
+}
+
+/* ---- many cycles, on the screen ---------------------------------------------------------------------------------- */
+
+static void verdict_text(const tradeoff_comparison *c, char text[64]) {
+    static const char *const verdicts[] = {[TRADEOFF_EQUIVALENT] = "equivalent",
+                                           [TRADEOFF_BIASED] = "biased",
+                                           [TRADEOFF_OPEN] = "not enough seeds",
+                                           [TRADEOFF_UNDEFINED] = "undefined"};
+    if (c->verdict != TRADEOFF_OPEN || isnan(c->seeds))
+        snprintf(text, 64, "%s", verdicts[c->verdict]);
+    else if (isinf(c->seeds))
+        snprintf(text, 64, "not enough seeds: more than a million");
+    else
+        snprintf(text, 64, "not enough seeds: about %.0f", c->seeds);
+}
+
+static void print_comparison(interp *in, const tradeoff_result *r, size_t m, size_t k) {
+    const tradeoff_comparison *c = &r->comparison[m * r->runs.nobserved + k];
+    const output_column *column = &r->observed[k];
+    char suffix[48], name[80], verdict[64], difference[48] = "-";
+    double divisor = readable_unit(column->d, suffix), percent = 100 / fabs(c->reference.mean);
+    snprintf(name, sizeof name, suffix[0] ? "%.40s (%s)" : "%.40s", column->name, suffix);
+    verdict_text(c, verdict);
+    if (c->reference.mean != 0)
+        snprintf(difference, sizeof difference, "%+.2f +- %.2f", percent * c->difference.value, percent * c->width);
+    if (m == r->base)
+        interp_print(in, "  %-10s %-24s %11.4g  compared with", "", name, c->own.mean / divisor);
+    else
+        interp_print(in, "  %-10s %-24s %11.4g %18s  %s", "", name, c->own.mean / divisor, difference, verdict);
+}
+
+static void print_cycles(interp *in, const tradeoff_result *r) {
+    const tradeoff_runs *runs = &r->runs;
+    interp_print(in, "%" PRIu64 " cycles of growth for %g s and relaxation of %g s, %zu seeds", r->cycles, r->plan.grow,
+                 r->plan.relax, runs->seeds);
+    interp_print(in, "  differences from %s, paired by seed, with 95 %% intervals; equivalent within %g %%",
+                 r->methods[r->base].name, 100 * r->margin);
+    interp_print(in, "  %-10s %-24s %11s %18s  %s", "preset", "quantity", "mean", "difference %", "verdict");
+    for (size_t m = 0; m < r->n; m++) {
+        interp_print(in, "  %-10s %.4g CPU s, %" PRIu64 " evaluations%s", r->methods[m].name, runs->cost[m].seconds,
+                     runs->cost[m].evaluations, runs->failed[m] ? ": failed" : "");
+        for (size_t k = 0; k < runs->nobserved && !runs->failed[m]; k++)
+            print_comparison(in, r, m, k);
+    }
+    size_t best = tradeoff_cheapest(runs, r->base, r->comparison);
+    if (best == r->base)
+        interp_print(in, "no cheaper preset has been shown to be equivalent to %s", r->methods[best].name);
+    else
+        interp_print(in, "cheapest equivalent preset: %s, with %.3g of the evaluations of %s", r->methods[best].name,
+                     (double)runs->cost[best].evaluations / (double)runs->cost[r->base].evaluations,
+                     r->methods[r->base].name);
+}
+
+void tradeoff_table_print(interp *in, const tradeoff_result *r) {
+    print_relaxation(in, r);
+    if (r->cycles)
+        print_cycles(in, r);
 }
 
 /* ---- the file ---------------------------------------------------------------------------------------------------- */
@@ -64,30 +120,92 @@ static void put_number(FILE *f, double x) {
     fprintf(f, ",%s", isnan(x) ? "" : field_number(x, text));
 }
 
-static void put_row(FILE *f, const char *name, const tradeoff_cost *cost, const tradeoff_distance *error,
-                    const char *state, bool front) {
-    fputs("relaxation,", f);
+static void put_head(FILE *f, const char *part, const char *name) {
+    fprintf(f, "%s,", part);
     field_put_csv(f, name);
+}
+
+static void put_cost(FILE *f, const tradeoff_cost *cost) {
     put_number(f, cost->seconds);
     fprintf(f, ",%" PRIu64, cost->evaluations);
     if (cost->steps)
         fprintf(f, ",%" PRIu64, cost->steps);
     else
         fputc(',', f);
-    put_number(f, dim_from_engine(error->most, DIM_LENGTH));
-    put_number(f, dim_from_engine(error->rms, DIM_LENGTH));
-    fprintf(f, ",%s,%d\n", state, front);
 }
 
-void tradeoff_table_write(FILE *f, const tradeoff_result *r) {
+static void put_row(FILE *f, const char *name, const tradeoff_cost *cost, const tradeoff_distance *error,
+                    const char *state, bool front) {
+    put_head(f, "relaxation", name);
+    put_cost(f, cost);
+    put_number(f, dim_from_engine(error->most, DIM_LENGTH));
+    put_number(f, dim_from_engine(error->rms, DIM_LENGTH));
+    fprintf(f, ",%s,%d,,,,,,,,,,,\n", state, front);
+}
+
+static void write_relaxation(FILE *f, const tradeoff_result *r) {
     static const char *const words[] = {[TRADEOFF_MEASURED] = "measured",
                                         [TRADEOFF_RESOLVED] = "resolved",
                                         [TRADEOFF_CHAOS] = "chaos",
                                         [TRADEOFF_FAILED] = "failed"};
     const tradeoff_cost reference = {.seconds = NAN, .evaluations = r->reference.evaluations};
-    fputs("part,preset,cpu_s,evaluations,steps,error_max_m,error_rms_m,state,front\n", f);
     put_row(f, "(reference)", &reference, &r->reference.error, r->reference.cut ? "cut" : "converged", false);
     put_row(f, "(displaced)", &(tradeoff_cost){.seconds = NAN}, &r->reference.divergence, "", false);
     for (size_t i = 0; i < r->n; i++)
         put_row(f, r->methods[i].name, &r->rows[i].cost, &r->rows[i].error, words[r->rows[i].state], r->rows[i].front);
+}
+
+static void put_quantity(FILE *f, const output_column *column) {
+    char suffix[48];
+    fputc(',', f);
+    field_put_csv(f, column->name);
+    fprintf(f, ",%s", dim_suffix(column->d, suffix));
+}
+
+static void write_comparison(FILE *f, const tradeoff_result *r, size_t m, size_t k) {
+    static const char *const words[] = {[TRADEOFF_EQUIVALENT] = "equivalent",
+                                        [TRADEOFF_BIASED] = "biased",
+                                        [TRADEOFF_OPEN] = "open",
+                                        [TRADEOFF_UNDEFINED] = "undefined"};
+    const tradeoff_comparison *c = &r->comparison[m * r->runs.nobserved + k];
+    put_head(f, "comparison", r->methods[m].name);
+    fprintf(f, ",,,,,,%s,,", m == r->base ? "reference" : words[c->verdict]);
+    put_quantity(f, &r->observed[k]);
+    put_number(f, c->own.mean);
+    put_number(f, c->reference.mean);
+    put_number(f, c->difference.value);
+    put_number(f, c->difference.value - c->width);
+    put_number(f, c->difference.value + c->width);
+    put_number(f, c->margin);
+    put_number(f, c->p);
+    put_number(f, c->verdict == TRADEOFF_OPEN ? c->seeds : (double)NAN);
+    fputc('\n', f);
+}
+
+static void write_cycles(FILE *f, const tradeoff_result *r) {
+    const tradeoff_runs *runs = &r->runs;
+    for (size_t m = 0; m < r->n; m++) {
+        put_head(f, "cycles", r->methods[m].name);
+        put_cost(f, &runs->cost[m]);
+        fprintf(f, ",,,%s,,,,,,,,,,,,\n", runs->failed[m] ? "failed" : "");
+        for (size_t i = 0; i < runs->seeds; i++)
+            for (size_t k = 0; k < runs->nobserved; k++) {
+                put_head(f, "run", r->methods[m].name);
+                fprintf(f, ",,,,,,,,%zu", i + 1);
+                put_quantity(f, &r->observed[k]);
+                put_number(f, runs->values[(m * runs->seeds + i) * runs->nobserved + k]);
+                fputs(",,,,,,,\n", f);
+            }
+        for (size_t k = 0; k < runs->nobserved; k++)
+            write_comparison(f, r, m, k);
+    }
+}
+
+void tradeoff_table_write(FILE *f, const tradeoff_result *r) {
+    fputs("part,preset,cpu_s,evaluations,steps,error_max_m,error_rms_m,state,front,seed,quantity,unit,value,"
+          "reference_value,difference,low,high,margin,p_equivalent,seeds_needed\n",
+          f);
+    write_relaxation(f, r);
+    if (r->cycles)
+        write_cycles(f, r);
 }

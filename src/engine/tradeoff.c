@@ -19,16 +19,21 @@ enum {
 };
 #define TOLERANCE_FIRST 0.1 /* of the reference, um; a tenth from one to the next */
 #define TOLERANCE_LAST 1e-7
-#define AGREEMENT 1e-4      /* two ends are the same, um */
-#define SECONDS_ENOUGH 0.1  /* of computing, for a time that can be told */
-#define DISPLACEMENT 1e-9   /* in diameters */
-#define GROWTH_OF_CHAOS 100 /* of the displacement; less is no divergence */
+#define AGREEMENT 0.05        /* of the reference's error with the least of the methods' */
+#define CONVERGENCE 0.7       /* an error that falls to more than this, for a tenth of the tolerance, does not fall */
+#define TOLERANCE_JUDGED 1e-4 /* from here on, um */
+#define SECONDS_ENOUGH 0.1    /* of computing, for a time that can be told */
+#define DISPLACEMENT 1e-9     /* in diameters */
+#define GROWTH_OF_CHAOS 100   /* of the displacement; less is no divergence */
 
 typedef struct bench {
     scene *s;
     snapshot *begin; /* rows as mechanics_arrange wants them */
     size_t n;        /* particles */
     double time;
+    tradeoff_row *rows; /* (methods) */
+    double *ends;       /* what the methods end with (methods x n x 3) */
+    size_t methods;
 } bench;
 
 /* From the beginning, or from what `displace` makes of it; the end goes to x (n x 3). */
@@ -62,36 +67,67 @@ static tradeoff_distance distance_of(const double *a, const double *b, size_t n)
 
 /* ---- the reference ----------------------------------------------------------------------------------------------- */
 
-/* *whole: the relaxation came to its end. */
-static int reference_run(bench *b, double tolerance, bool displace, double *x, bool *whole, tradeoff_reference *r,
+/* *steps: how many it took; 0: it did not come to its end. */
+static int reference_run(bench *b, double tolerance, bool displace, double *x, uint64_t *steps, tradeoff_reference *r,
                          diag *d) {
     relax_result result = {0};
     const relax_settings how = {.integrator = INTEGRATOR_DOPRI5, .tolerance = tolerance};
     int status = relax_by(b, &how, EVALUATIONS_MAX * r->first, displace, x, &result, d);
     r->first = r->first ? r->first : result.evaluations;
     r->evaluations += result.evaluations;
-    *whole = result.stop == RELAX_TIME;
+    *steps = result.stop == RELAX_TIME ? result.steps : 0;
     return status;
+}
+
+/* By how much two ends of tolerances that follow each other differ. Where both went the same steps that says nothing,
+ * and what is known is the finer tolerance. */
+static tradeoff_distance difference(const double *finer, const double *coarser, size_t n, bool same_steps,
+                                    double tolerance) {
+    return same_steps ? (tradeoff_distance){tolerance, tolerance} : distance_of(finer, coarser, n);
+}
+
+/* Least rms error of a method against this end; 0 where it meets it. */
+static double least_error(bench *b, const double *x) {
+    double least = INFINITY;
+    for (size_t i = 0; i < b->methods; i++) {
+        tradeoff_row *row = &b->rows[i];
+        if (row->state == TRADEOFF_FAILED)
+            continue;
+        row->error = distance_of(b->ends + 3 * b->n * i, x, b->n);
+        least = fmin(least, row->error.rms);
+    }
+    return least;
+}
+
+/* Good enough for the methods that are measured by it; or no better to be had. */
+static bool is_reached(bench *b, const double *x, double before, const tradeoff_reference *r) {
+    bool agrees = r->error.rms <= AGREEMENT * least_error(b, x);
+    bool stands = r->tolerance < 1.5 * TOLERANCE_JUDGED && r->error.rms > CONVERGENCE * before;
+    return agrees || stands;
 }
 
 /* Ends at tolerances, from coarse to fine; x: the last that came to its end. */
 static int converge(bench *b, double *x, tradeoff_reference *r, diag *d) {
     double *next = alloc_zeroed(3 * b->n, sizeof *next);
     int status = SARCINA_OK;
-    bool whole = true;
+    uint64_t steps = 0, before = 0;
+    bool reached = false;
     r->error = (tradeoff_distance){INFINITY, INFINITY};
-    for (double tolerance = TOLERANCE_FIRST; tolerance > 0.5 * TOLERANCE_LAST && r->error.most > AGREEMENT;
-         tolerance /= 10) {
-        status = reference_run(b, tolerance, false, next, &whole, r, d);
-        if (status || !whole)
+    for (double tolerance = TOLERANCE_FIRST; tolerance > 0.5 * TOLERANCE_LAST && !reached; tolerance /= 10) {
+        double error = r->error.rms;
+        status = reference_run(b, tolerance, false, next, &steps, r, d);
+        r->cut = steps == 0;
+        if (status || r->cut)
             break;
-        if (r->tolerance > 0)
-            r->error = distance_of(next, x, b->n);
+        if (before > 0)
+            r->error = difference(next, x, b->n, steps == before, tolerance);
         memcpy(x, next, 3 * b->n * sizeof *x);
         r->coarser = r->tolerance;
         r->tolerance = tolerance;
+        reached = before > 0 && is_reached(b, x, error, r);
+        before = steps;
     }
-    r->cut = !whole;
+    least_error(b, x);
     free(next);
     return status;
 }
@@ -99,10 +135,10 @@ static int converge(bench *b, double *x, tradeoff_reference *r, diag *d) {
 /* What a displacement has become. Where it takes too many evaluations nothing is known but the reference's error. */
 static int diverge(bench *b, const double *x, tradeoff_reference *r, diag *d) {
     double *end = alloc_zeroed(3 * b->n, sizeof *end);
-    bool whole = false;
+    uint64_t steps = 0;
     r->displacement = DISPLACEMENT * tradeoff_guard_diameter(b->s->colony);
-    int status = reference_run(b, r->tolerance, true, end, &whole, r, d);
-    r->divergence = whole ? distance_of(end, x, b->n) : r->error;
+    int status = reference_run(b, r->tolerance, true, end, &steps, r, d);
+    r->divergence = steps > 0 ? distance_of(end, x, b->n) : r->error;
     free(end);
     return status;
 }
@@ -116,7 +152,7 @@ static tradeoff_state judge(const tradeoff_row *row, const tradeoff_reference *r
     return row->error.rms <= 2 * r->error.rms ? TRADEOFF_RESOLVED : TRADEOFF_MEASURED;
 }
 
-/* A method that cannot go on is a result; what else goes wrong ends it all. */
+/* A method that cannot go on is a result (SARCINA_OK); what else goes wrong ends it all. */
 static int failed(tradeoff_row *row, const diag *why, diag *d) {
     if (why->status != SARCINA_NUMERICAL) {
         if (d)
@@ -130,7 +166,7 @@ static int failed(tradeoff_row *row, const diag *why, diag *d) {
 }
 
 /* Quick ones several times over, for the shortest time: the machine has other things to do too. */
-static int measure(bench *b, const relax_settings *how, const double *x, double *end, tradeoff_row *row, diag *d) {
+static int measure(bench *b, const relax_settings *how, double *end, tradeoff_row *row, diag *d) {
     double total = 0;
     row->cost.seconds = INFINITY;
     for (int i = 0; i < REPEATS_MAX && total < SECONDS_ENOUGH; i++) {
@@ -145,7 +181,6 @@ static int measure(bench *b, const relax_settings *how, const double *x, double 
         row->cost.evaluations = result.evaluations;
         row->cost.steps = result.steps;
     }
-    row->error = distance_of(end, x, b->n);
     return SARCINA_OK;
 }
 
@@ -174,18 +209,20 @@ int tradeoff_most_exact(const tradeoff_row *rows, size_t n) {
     return best;
 }
 
-static int run_all(bench *b, const tradeoff_method *methods, size_t n, tradeoff_row *rows,
-                   tradeoff_reference *reference, diag *d) {
-    double *x = alloc_zeroed(3 * b->n, 2 * sizeof *x), *end = x + 3 * b->n;
-    int status = converge(b, x, reference, d);
+/* The methods first: how near the reference must be depends on them. */
+static int run_all(bench *b, const tradeoff_method *methods, tradeoff_reference *reference, diag *d) {
+    double *x = alloc_zeroed(3 * b->n, sizeof *x);
+    int status = SARCINA_OK;
+    for (size_t i = 0; i < b->methods && !status; i++)
+        status = measure(b, &methods[i].how, b->ends + 3 * b->n * i, &b->rows[i], d);
+    if (!status)
+        status = converge(b, x, reference, d);
     if (!status)
         status = diverge(b, x, reference, d);
-    for (size_t i = 0; i < n && !status; i++) {
-        status = measure(b, &methods[i].how, x, end, &rows[i], d);
-        if (rows[i].state != TRADEOFF_FAILED)
-            rows[i].state = judge(&rows[i], reference);
-    }
-    mark_front(rows, n);
+    for (size_t i = 0; i < b->methods && !status; i++)
+        if (b->rows[i].state != TRADEOFF_FAILED)
+            b->rows[i].state = judge(&b->rows[i], reference);
+    mark_front(b->rows, b->methods);
     free(x);
     return status;
 }
@@ -197,10 +234,17 @@ int tradeoff_relaxation(scene *s, const tradeoff_plan *plan, const tradeoff_meth
     tradeoff_guard guard = tradeoff_guard_begin(s);
     int status = plan->grow > 0 ? scene_grow(s, plan->grow, d) : SARCINA_OK;
     mechanics_arrange(s->colony);
-    bench b = {.s = s, .begin = snapshot_take(s), .n = s->colony->particle.count, .time = plan->relax};
     reference->cells = s->colony->cell.count;
+    bench b = {.s = s,
+               .begin = snapshot_take(s),
+               .n = s->colony->particle.count,
+               .time = plan->relax,
+               .rows = rows,
+               .methods = n};
+    b.ends = alloc_zeroed(3 * b.n, n * sizeof *b.ends);
     if (!status)
-        status = run_all(&b, methods, n, rows, reference, d);
+        status = run_all(&b, methods, reference, d);
+    free(b.ends);
     snapshot_free(b.begin);
     tradeoff_guard_end(&guard);
     return status;

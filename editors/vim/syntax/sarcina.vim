@@ -17,6 +17,7 @@ syntax keyword sarcinaValue zmax zmin
 syntax match sarcinaValue /\<\%(species\)\>/
 
 syntax keyword sarcinaKeyword abs along among angle append approx aspect at axes axis background band bins
+<<<<<<< HEAD
 syntax keyword sarcinaKeyword branch ces clamp coil color contact cvdw density diameter draw epsilon every
 syntax keyword sarcinaKeyword filament file fluid form format fps fraction from g gap glide hand handover
 syntax keyword sarcinaKeyword hi in inertia jitter k kappa keep legend length lo lognormal long map mass
@@ -25,15 +26,26 @@ syntax keyword sarcinaKeyword pitch probability radius range rate ratio reach re
 syntax keyword sarcinaKeyword side size skin snap springs step then to tol tries uniform until upto view
 syntax keyword sarcinaKeyword vs where within xlabel ylabel z zoom
 syntax match sarcinaKeyword /\<\%(break\|group\|grow\|log\|relax\|show\|units\)\>/
+=======
+syntax keyword sarcinaKeyword branch ces clamp coil color contact cvdw cycles density diameter draw
+syntax keyword sarcinaKeyword epsilon error every filament file fluid form format fps fraction from g gap
+syntax keyword sarcinaKeyword glide hand handover hi in inertia jitter k kappa keep legend length lo
+syntax keyword sarcinaKeyword lognormal long map margin mass maxtry method normal observe orient origin
+syntax keyword sarcinaKeyword overlap overwrite pad pairs particles pitch probability radius range rate
+syntax keyword sarcinaKeyword ratio reach rel scalebar screen sd seeds short side size skin snap springs
+syntax keyword sarcinaKeyword step then to tol tries uniform until upto view vs where within xlabel ylabel
+syntax keyword sarcinaKeyword z zoom
+syntax match sarcinaKeyword /\<\%(break\|group\|grow\|log\|plot\|relax\|show\|units\)\>/
+>>>>>>> 5e5e942 (tradeoff over many cycles, paired by seed: equivalent, biased, or how many seeds; accuracy auto; diagrams)
 
 syntax keyword sarcinaStyle INF all anchor auto balanced bend bio birth block both bs32 ci95 cividis
 syntax keyword sarcinaStyle closest coccus collision colony coolwarm count csv custom cylinder damping
-syntax keyword sarcinaStyle default dlvo dopri5 draft dynamic equal error euler exponential fast
-syntax keyword sarcinaStyle first_time flexible front getenv gravity gray grid histogram image inferno
-syntax keyword sarcinaStyle internal iso left linear list magma mean midpoint mother movie nearer no
-syntax keyword sarcinaStyle none now off on one out paper plane planes plasma poisson povray profile r
-syntax keyword sarcinaStyle random reference regularised remodel right rk4 rk8pd rkf45 rod si single
-syntax keyword sarcinaStyle sphere stick stiffness string table top twist verlet viridis vtk xy xyz yes
+syntax keyword sarcinaStyle default dlvo dopri5 draft dynamic equal euler exponential fast first_time
+syntax keyword sarcinaStyle flexible front getenv gravity gray grid histogram image inferno internal iso
+syntax keyword sarcinaStyle left linear list magma mean midpoint mother movie nearer no none now off on
+syntax keyword sarcinaStyle one out paper plane planes plasma poisson povray profile r random reference
+syntax keyword sarcinaStyle regularised remodel right rk4 rk8pd rkf45 rod si single sphere stick
+syntax keyword sarcinaStyle stiffness string table top twist verlet viridis vtk xy xyz yes
 syntax match sarcinaStyle /\<\%(link\)\>/
 
 syntax match sarcinaFunction /\<\%(abs\|acos\|asin\|atan\|atan2\|ceil\|ci95\|cos\|count\|defined\|descends\|exp\|floor\|fraction\|hypot\|is_file\|ln\|log10\|max\|mean\|median\|min\|normal\|poisson\|quantile\|random\|round\|sd\|sign\|sin\|sqrt\|sum\|tan\|ternary\)\ze(/
