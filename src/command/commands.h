@@ -16,11 +16,8 @@
     X(prompt)                                                                                                          \
     X(help)                                                                                                            \
     X(settings)                                                                                                        \
-<<<<<<< HEAD
     X(dimension)                                                                                                       \
-=======
     X(accuracy)                                                                                                        \
->>>>>>> 5e5e942 (tradeoff over many cycles, paired by seed: equivalent, biased, or how many seeds; accuracy auto; diagrams)
     X(species)                                                                                                         \
     X(growth)                                                                                                          \
     X(division)                                                                                                        \
