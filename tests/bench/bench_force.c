@@ -3,58 +3,13 @@
  * for each contact kernel, as a ratio to the reference of the same run: the same contacts and terms by plain scalar
  * code. Also what building the neighbour list costs. One thread. bench-force grow N: processor seconds from one cell to
  * N, at the default accuracy. */
-#include "packing.h"
+#include "colony.h"
 
-#include "biology/division.h"
-#include "biology/growth.h"
-#include "engine/scene.h"
 #include "mechanics/contact.h"
 #include "mechanics/neighbor.h"
 #include "mechanics/state.h"
-#include "relax/relax.h"
 
 #include <stdio.h>
-#include <time.h>
-
-/* Seconds of the processor this program has had: others may be using the machine. */
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-/* E. coli of Storck et al. 2014 on a plane, in cycles of 240 s of growth and 1 s of relaxation. */
-static scene *start_colony(void) {
-    scene *sc = scene_create();
-    packing defaults = packing_create(1);
-    sc->forces = defaults.forces;
-    packing_free(&defaults);
-    for (int i = FORCE_COLLISION; i <= FORCE_DAMPING; i++)
-        sc->forces.term[i].on = true;
-    species_add(&sc->species, "ecoli");
-    species *s = &sc->species.list[0];
-    s->shape = SHAPE_ROD;
-    s->density = 1.01;
-    s->internal_k = 5e4;
-    s->diameter = (spread){SPREAD_NORMAL, 0.75, 0.0375};
-    s->growth.style = 0;
-    s->growth.values[GROWTH_RATE] = (spread){SPREAD_NORMAL, 1.23 / 3600, 0.277 / 3600};
-    s->growth.values[GROWTH_DRAW] = spread_fixed(DRAW_STEP);
-    s->division.style = 0;
-    s->division.values[DIVISION_MASS] = spread_fixed(2.45);
-    s->division.values[DIVISION_SIZE] = spread_fixed(NAN);
-    s->division.values[DIVISION_JITTER] = spread_fixed(0.01);
-    s->division.values[DIVISION_AXIS] = spread_fixed(AXIS_AUTO);
-    const placement place = {.species = 0, .orient = ORIENT_XY, .mass = spread_fixed(2.12), .gap = 0, .maxtry = 1};
-    size_t created;
-    scene_create_single(sc, &place, (double[]){0, 0, 0}, &created, NULL);
-    return sc;
-}
-
-static void grow_to(scene *sc, size_t n) {
-    while (sc->colony->cell.count < n && scene_cycle(sc, 240, 1, 0, NULL) == SARCINA_OK)
-        ;
-}
 
 /* Copies of a grown colony side by side until there are n cells. */
 static packing make_colony(const scene *sc, size_t n) {
@@ -121,10 +76,10 @@ static double measure(const packing *p, const char *kernel, int evaluations) {
     bool able = !kernel || mechanics_kernel(m, kernel);
     for (int round = 0; able && round < 5; round++) {
         mechanics_force(m, x, v, f);
-        double begin = now();
+        double begin = colony_now();
         for (int i = 0; i < evaluations; i++)
             kernel ? mechanics_force(m, x, v, f) : scalar_forces(m, x, v, f);
-        best = fmin(best, (now() - begin) / evaluations);
+        best = fmin(best, (colony_now() - begin) / evaluations);
     }
     free(f);
     mechanics_free(m);
@@ -160,13 +115,13 @@ static void print_line(const packing *p, int total) {
 
 /* Seconds of the processor from one cell to each size, and (by the wall clock) where they went. */
 static void time_growth(size_t most) {
-    scene *sc = start_colony();
-    double begin = now();
+    scene *sc = colony_start();
+    double begin = colony_now();
     printf("%8s %8s %12s %8s %8s %12s\n", "cells", "s", "evaluations", "force s", "list s", "lists built");
     for (size_t n = most % 10 ? most : 10; n <= most; n *= 10) {
-        grow_to(sc, n);
+        colony_grow_to(sc, n);
         mechanics_stats stats = mechanics_statistics(sc->mechanics);
-        printf("%8zu %8.2f %12llu %8.2f %8.2f %12llu\n", sc->colony->cell.count, now() - begin,
+        printf("%8zu %8.2f %12llu %8.2f %8.2f %12llu\n", sc->colony->cell.count, colony_now() - begin,
                (unsigned long long)stats.evaluations, stats.force_seconds, stats.build_seconds,
                (unsigned long long)stats.builds);
     }
@@ -179,11 +134,11 @@ int main(int argc, char **argv) {
         return 0;
     }
     int total = argc > 1 ? atoi(argv[1]) : 1000000; /* rod evaluations a round */
-    scene *sc = start_colony();
+    scene *sc = colony_start();
     printf("%8s %9s %12s  %15s  %15s  %15s %12s\n", "rods", "entries", "scalar", "base", "avx2", "avx512", "list");
     static const size_t sizes[] = {300, 3000, 30000};
     for (int i = 0; i < 3; i++) {
-        grow_to(sc, sizes[i] < 3000 ? sizes[i] : 3000);
+        colony_grow_to(sc, sizes[i] < 3000 ? sizes[i] : 3000);
         packing p = make_colony(sc, sizes[i]);
         print_line(&p, total);
         packing_free(&p);
