@@ -30,6 +30,16 @@ typedef struct kernel_batch {
 enum { KERNEL_SEGMENTS, KERNEL_SPHERES }; /* what touches: contact_kernel.contact[...] */
 enum { KERNEL_SPACE, KERNEL_PLANE };      /* [...][...] */
 
+/* All components of a state on their way through a step: a kick of `weight` times the half of one, and a damped flight.
+ */
+typedef struct kernel_flight {
+    double weight;
+    const double *kick, *decay, *flight; /* per component: h / (2 m), exp(-g h), (1 - exp(-g h)) / g */
+    const double *x0, *v0, *force;       /* where it starts */
+    double *x, *v;                       /* where it ends */
+    double near;                         /* um: changes of a component no larger than this are not counted */
+} kernel_flight;
+
 typedef struct contact_kernel {
     const char *name; /* "avx512", "avx2", "base" */
     /* Contacts of the first n pairs, by what touches and where; a sphere's axis and, in the
@@ -38,6 +48,10 @@ typedef struct contact_kernel {
     size_t (*contact[2][2])(const contact_law_values *law, size_t n, kernel_batch *b);
     /* y = exp(x), n a multiple of KERNEL_LANES; SLEEF's deterministic one, the same bits in every width. */
     void (*exponential)(size_t n, const double *x, double *y);
+    /* n components fly; returns how many change by more than `near`, or to what is no number. */
+    size_t (*fly)(size_t n, const kernel_flight *q);
+    /* v += kick x force, n components; returns how many of forces and velocities are not finite. */
+    size_t (*kick)(size_t n, const double *kick, const double *force, double *v);
 } contact_kernel;
 
 /* The widest kernel of this processor; the one called name, NULL where the program or the processor lacks it. */

@@ -77,8 +77,33 @@ static void exponential(size_t n, const double *x, double *y) {
         KERNEL_EXP(x + i, y + i);
 }
 
+static size_t fly(size_t n, const kernel_flight *q) {
+    const double *restrict kick = q->kick, *restrict decay = q->decay, *restrict flight = q->flight;
+    const double *restrict x0 = q->x0, *restrict v0 = q->v0, *restrict f = q->force;
+    double *restrict x = q->x, *restrict v = q->v;
+    const double weight = q->weight, near = q->near;
+    size_t far = 0;
+    for (size_t i = 0; i < n; i++) {
+        double kicked = v0[i] + weight * kick[i] * f[i];
+        x[i] = x0[i] + flight[i] * kicked;
+        v[i] = decay[i] * kicked;
+        far += fabs(x[i] - x0[i]) <= near ? 0 : 1;
+    }
+    return far;
+}
+
+static size_t kick(size_t n, const double *restrict by, const double *restrict force, double *restrict v) {
+    size_t lost = 0;
+    for (size_t i = 0; i < n; i++) {
+        v[i] += by[i] * force[i];
+        lost += fabs(force[i]) < HUGE_VAL ? 0 : 1;
+        lost += fabs(v[i]) < HUGE_VAL ? 0 : 1;
+    }
+    return lost;
+}
+
 extern const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME);
 #define KERNEL_TEXT_(a) #a
 #define KERNEL_TEXT(a) KERNEL_TEXT_(a)
 const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME) = {
-    KERNEL_TEXT(KERNEL_NAME), {{contact, contact_flat}, {sphere, sphere_flat}}, exponential};
+    KERNEL_TEXT(KERNEL_NAME), {{contact, contact_flat}, {sphere, sphere_flat}}, exponential, fly, kick};

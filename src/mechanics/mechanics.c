@@ -345,6 +345,10 @@ const uint32_t *mechanics_order(const mechanics *m) {
     return m->ordered ? NULL : m->order;
 }
 
+const contact_kernel *mechanics_loops(const mechanics *m) {
+    return m->kernel;
+}
+
 bool mechanics_kernel(mechanics *m, const char *name) {
     const contact_kernel *kernel = kernel_find(name);
     if (kernel)

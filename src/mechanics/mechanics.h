@@ -145,6 +145,9 @@ void mechanics_memory(const mechanics *m, mechanics_part parts[MECHANICS_PARTS])
 /* Does a term act on the bound colony: is it named, or on by what the colony holds? */
 bool mechanics_is_active(const mechanics *m, force_kind term);
 
+/* The loops for this processor's width of vectors: mechanics/kernel.h. */
+const struct contact_kernel *mechanics_loops(const mechanics *m);
+
 /* Chooses the contact kernel by name, for tests and measurements; false when this processor lacks it. */
 bool mechanics_kernel(mechanics *m, const char *name);
 

@@ -20,6 +20,7 @@
 #include "relax/integrator.h"
 
 #include "base/alloc.h"
+#include "mechanics/kernel.h"
 
 #include <math.h>
 #include <sleef.h>
@@ -191,27 +192,21 @@ static bool is_sane(const splitting *self, const motion *mo) {
 /* A kick (weight 1: of half a step) and a flight, of all components; false: refused. That none has gone far along any
  * axis is seen in passing and suffices; else each particle is looked at. */
 static bool fly(splitting *self, const motion *mo, double weight) {
-    const double *restrict kick = self->kick, *restrict decay = self->decay, *restrict flight = self->flight;
-    const double *restrict x0 = mo->x, *restrict v0 = mo->v, *restrict f0 = self->force;
-    double *restrict x = self->x, *restrict v = self->v;
-    const double near = 0.5 * self->least_radius / sqrt(3) * (1 - 1e-12);
-    size_t far = self->chains;
-    for (size_t i = 0; i < self->n; i++) {
-        double kicked = v0[i] + weight * kick[i] * f0[i];
-        x[i] = x0[i] + flight[i] * kicked;
-        v[i] = decay[i] * kicked;
-        far += fabs(x[i] - x0[i]) <= near ? 0 : 1;
-    }
-    if (self->chains)
-        mechanics_flight(mo->m, self->h, self->x, self->v);
-    return far == 0 || is_sane(self, mo);
-}
-
-static bool has_finite_force(const splitting *self) {
-    size_t lost = 0;
-    for (size_t i = 0; i < self->n; i++)
-        lost += fabs(self->trial_force[i]) < HUGE_VAL && fabs(self->v[i]) < HUGE_VAL ? 0 : 1;
-    return lost == 0;
+    const kernel_flight q = {.weight = weight,
+                             .kick = self->kick,
+                             .decay = self->decay,
+                             .flight = self->flight,
+                             .x0 = mo->x,
+                             .v0 = mo->v,
+                             .force = self->force,
+                             .x = self->x,
+                             .v = self->v,
+                             .near = 0.5 * self->least_radius / sqrt(3) * (1 - 1e-12)};
+    size_t far = mechanics_loops(mo->m)->fly(self->n, &q);
+    if (!self->chains)
+        return far == 0 || is_sane(self, mo);
+    mechanics_flight(mo->m, self->h, self->x, self->v);
+    return is_sane(self, mo);
 }
 
 /* One trial of velocity Verlet; false: refused. */
@@ -219,11 +214,14 @@ static bool try_verlet(splitting *self, motion *mo) {
     if (!fly(self, mo, 1))
         return false;
     motion_force_outside(mo, self->x, self->trial_force);
-    const double *restrict kick = self->kick, *restrict f = self->trial_force;
-    double *restrict v = self->v;
+    return mechanics_loops(mo->m)->kick(self->n, self->kick, self->trial_force, self->v) == 0;
+}
+
+static bool has_finite_force(const splitting *self) {
+    size_t lost = 0;
     for (size_t i = 0; i < self->n; i++)
-        v[i] += kick[i] * f[i];
-    return has_finite_force(self);
+        lost += fabs(self->trial_force[i]) < HUGE_VAL && fabs(self->v[i]) < HUGE_VAL ? 0 : 1;
+    return lost == 0;
 }
 
 /* One trial of semi-implicit Euler; false: refused. */
