@@ -41,9 +41,10 @@ void spring_index_build(spring_index *index, const colony *c, const uint32_t *ow
     for (uint32_t s = 0; s < c->spring.count; s++) {
         uint32_t a = c->spring.a[s], b = c->spring.b[s];
         uint64_t key_b = b == SPRING_ANCHOR ? 0 : body_particle_key(&bodies[owner[b]], b);
-        index->ends[index->start[a + 1]++] = (spring_end){s, b, key_b};
+        const double k = c->spring.k[s], rest = c->spring.rest[s];
+        index->ends[index->start[a + 1]++] = (spring_end){s, b, key_b, k, rest};
         if (b != SPRING_ANCHOR)
-            index->ends[index->start[b + 1]++] = (spring_end){s, a, body_particle_key(&bodies[owner[a]], a)};
+            index->ends[index->start[b + 1]++] = (spring_end){s, a, body_particle_key(&bodies[owner[a]], a), k, rest};
     }
 }
 

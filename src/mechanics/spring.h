@@ -11,6 +11,7 @@ typedef struct spring_end {
     uint32_t spring; /* spring row */
     uint32_t other;  /* particle row at the far end; SPRING_ANCHOR */
     uint64_t key;    /* of the far end's particle, for the fallback direction */
+    double k, rest;  /* of the spring: what a sum over ends reads lies together */
 } spring_end;
 
 typedef struct spring_index {

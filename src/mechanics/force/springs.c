@@ -24,17 +24,34 @@ static double reach_end(const force_frame *at, const spring_end *end, uint64_t k
     return length;
 }
 
+/* What an anchor, or a spring of length zero, does to its particle. */
+static void add_special(const force_frame *at, const spring_end *end, uint64_t key, uint32_t particle, double sum[3]) {
+    double u[3], length = reach_end(at, end, key, particle, u), tension = end->k * (length - end->rest);
+    for (int i = 0; i < 3; i++)
+        sum[i] += tension * u[i];
+}
+
 static void add_particle(const force_frame *at, const body *b, uint32_t particle, double *f) {
     const spring_index *index = at->springs;
-    const spring_columns *springs = index->springs;
-    uint64_t key = body_particle_key(b, particle);
+    const double *x = at->x + 3 * (size_t)particle;
+    double sum[3] = {0, 0, 0}, d[3];
     for (uint32_t e = index->start[particle]; e < index->start[particle + 1]; e++) {
         const spring_end *end = &index->ends[e];
-        double u[3], length = reach_end(at, end, key, particle, u);
-        double tension = springs->k[end->spring] * (length - springs->rest[end->spring]);
+        double square = 0;
+        for (int i = 0; i < 3 && end->other != SPRING_ANCHOR; i++) {
+            d[i] = at->x[3 * (size_t)end->other + (size_t)i] - x[i];
+            square += d[i] * d[i];
+        }
+        if (square == 0) {
+            add_special(at, end, body_particle_key(b, particle), particle, sum);
+            continue;
+        }
+        double length = sqrt(square), factor = end->k * (length - end->rest) / length;
         for (int i = 0; i < 3; i++)
-            f[3 * (size_t)particle + (size_t)i] += tension * u[i];
+            sum[i] += factor * d[i];
     }
+    for (int i = 0; i < 3; i++)
+        f[3 * (size_t)particle + (size_t)i] += sum[i];
 }
 
 static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
