@@ -34,7 +34,7 @@ static void add_special(const force_frame *at, const spring_end *end, uint64_t k
 static void add_particle(const force_frame *at, const body *b, uint32_t particle, double *f) {
     const spring_index *index = at->springs;
     const double *x = at->x + 3 * (size_t)particle;
-    double sum[3] = {0, 0, 0}, d[3];
+    double sum[3] = {0, 0, 0}, d[3] = {0, 0, 0};
     for (uint32_t e = index->start[particle]; e < index->start[particle + 1]; e++) {
         const spring_end *end = &index->ends[e];
         double square = 0;
