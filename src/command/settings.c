@@ -125,8 +125,9 @@ void command_settings(command_table *t) {
     command_add(t, forms, TABLE_COUNT(forms));
     const command_form accuracy = {
         .details = "Default: balanced. Growth step and relaxation time are physics and no part of "
-                   "it; nor is the contact law: comparisons with the paper also say "
-                   "'force collision contact closest'.",
+                   "it: 0.5 s of relaxation in place of 1 s makes the radius of gyration of 3,000 "
+                   "rods 26.1 um in place of 28.4 um. Nor is the contact law: comparisons with the paper also say "
+                   "'force collision contact closest'. What each costs and changes, measured: help trade.",
         .example = "accuracy draft\naccuracy fast\naccuracy balanced\naccuracy reference\naccuracy paper",
         .flags = COMMAND_DECLARES,
         .run = run_accuracy};

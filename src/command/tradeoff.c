@@ -105,13 +105,14 @@ static void free_observed(observed *o) {
     }
 }
 
-/* Size and order; layers where there is a plane to lie on, links where there are any. Measures that tell with few
- * seeds: extremes (thickness) and means near zero (orientation of a large colony) take hundreds. */
+/* On a plane size, order and layers, in the bulk size and density; links where there are any. Measures that tell with
+ * few seeds: extremes (thickness) and means near zero (orientation of a large colony, or of a floc) take hundreds. */
 static void observe_default(interp *in, observed *o) {
     scene *s = interp_scene(in);
+    bool plane = s->forces.term[FORCE_SUBSTRATUM].on;
     o->columns[o->n++] = output_list_plain_column(in, "gyration", NULL);
-    o->columns[o->n++] = output_list_plain_column(in, "nematic", NULL);
-    if (s->forces.term[FORCE_SUBSTRATUM].on)
+    o->columns[o->n++] = output_list_plain_column(in, plane ? "nematic" : "compactness", NULL);
+    if (plane)
         o->columns[o->n++] = output_list_plain_column(in, "layering", "mean");
     if (s->colony->link.count)
         o->columns[o->n++] = output_list_plain_column(in, "links", NULL);
@@ -274,8 +275,8 @@ static const param params[] = {
     {"grow:time[0,)", "growth before the relaxation; without it, that of the run before, or none"},
     {"cycles=0:int[0,)", "also runs of this many cycles by each, and compares what they end with"},
     {"seeds=1:int[1,)", "runs by each: from the scene's seed, and from those that follow it"},
-    {"observe:value...", "what is compared; without it: gyration, nematic; layering.mean where there is "
-                         "a plane, links where there are any"},
+    {"observe:value...", "what is compared; without it: gyration; over a plane nematic and layering.mean, else "
+                         "compactness; links where there are any"},
     {"margin=2%:fraction%(0,1)", "differences below this part of the mean are of no interest"},
     {"file:file", "a CSV file for what was found, in SI units"},
     {"plot:file", "a .svg, .png or .pdf file: errors against evaluations; with cycles, also one with .cycles before "

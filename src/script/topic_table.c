@@ -102,6 +102,19 @@ bool topic_row_accuracy(size_t i, page *name, page *text) {
     return true;
 }
 
+bool topic_row_trade(size_t i, page *name, page *text) {
+    static const struct {
+        const char *name, *text;
+    } measured[] = {
+#include "script/topic_trade.def"
+    };
+    if (i >= TABLE_COUNT(measured))
+        return false;
+    page_put(name, "%s", measured[i].name);
+    page_put(text, "%s", measured[i].text);
+    return true;
+}
+
 bool topic_row_integrator(size_t i, page *name, page *text) {
     if (i >= INTEGRATOR_COUNT)
         return false;

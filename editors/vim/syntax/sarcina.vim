@@ -17,14 +17,15 @@ syntax keyword sarcinaValue zmax zmin
 syntax match sarcinaValue /\<\%(species\)\>/
 
 syntax keyword sarcinaKeyword abs along among angle append approx aspect at axes axis background band bins
-syntax keyword sarcinaKeyword branch ces clamp coil color contact cvdw density diameter draw epsilon every
-syntax keyword sarcinaKeyword filament file fluid form format fps fraction from g gap glide hand handover
-syntax keyword sarcinaKeyword hi in inertia jitter k kappa keep legend length lo lognormal long map mass
-syntax keyword sarcinaKeyword maxtry method normal of orient origin overlap overwrite pad pairs particles
-syntax keyword sarcinaKeyword pitch probability radius range rate ratio reach rel scalebar screen sd short
-syntax keyword sarcinaKeyword side size skin snap springs step then to tol tries uniform until upto view
-syntax keyword sarcinaKeyword vs where within xlabel ylabel z zoom
-syntax match sarcinaKeyword /\<\%(break\|group\|grow\|log\|relax\|show\|units\)\>/
+syntax keyword sarcinaKeyword branch ces clamp coil color contact cvdw cycles density diameter draw
+syntax keyword sarcinaKeyword epsilon error every filament file fluid form format fps fraction from g gap
+syntax keyword sarcinaKeyword glide hand handover hi in inertia jitter k kappa keep legend length lo
+syntax keyword sarcinaKeyword lognormal long map margin mass maxtry method normal observe of orient origin
+syntax keyword sarcinaKeyword overlap overwrite pad pairs particles pitch probability radius range rate
+syntax keyword sarcinaKeyword ratio reach rel scalebar screen sd seeds short side size skin snap springs
+syntax keyword sarcinaKeyword step then to tol tries uniform until upto view vs where within xlabel ylabel
+syntax keyword sarcinaKeyword z zoom
+syntax match sarcinaKeyword /\<\%(break\|group\|grow\|log\|plot\|relax\|show\|units\)\>/
 
 syntax keyword sarcinaStyle INF all anchor auto balanced bend bio birth block both bs32 ci95 cividis
 syntax keyword sarcinaStyle closest coccus collision colony coolwarm count csv custom cylinder damping
