@@ -7,6 +7,7 @@
  *     @rows NAME                                      a table of topics, as help shows it
  *     @example ... @prints ... @end                   lines of a script, and what they print; both run as tests
  *     @shell ... @end                                 lines of a shell, run as tests
+ *     @file PATH                                      a file of the project as it is: a table that a study has left
  */
 #include "app/mandoc.h"
 
@@ -241,6 +242,12 @@ static void put_named_rows(reading *r, const char *name) {
         complain(r, "no such table");
 }
 
+static void put_project_file(reading *r, const char *name) {
+    char *path = alloc_format("%s/%s", r->m->source, name);
+    put_file(r, path, false);
+    free(path);
+}
+
 static void put_directive(reading *r) {
     const command_table *t = r->m->commands;
     const char *line = r->line;
@@ -258,6 +265,8 @@ static void put_directive(reading *r) {
         put_warts(r);
     else if (strncmp(line, "@rows ", 6) == 0)
         put_named_rows(r, line + 6);
+    else if (strncmp(line, "@file ", 6) == 0)
+        put_project_file(r, line + 6);
     else if (strcmp(line, "@example") == 0 || strcmp(line, "@shell") == 0)
         put_example(r);
     else

@@ -5,9 +5,11 @@
  *         the ensembles to run: name, script below examples, options, most seeds (0: any), parted by tabs
  *     study -report RUNS SEEDS DATA TEMPLATE RESULTS
  *         from the runs in folder RUNS and the original's data in DATA: RESULTS/RESULTS.md (TEMPLATE filled in),
- *         RESULTS/RESULTS.csv and RESULTS/results/ with the figures; without gnuplot only their data */
+ *         RESULTS/RESULTS.csv and RESULTS/results/ with the figures; without gnuplot only their data *     study
+ * -laws-plan study -laws RUNS RESULTS the same for the study of laws, scripts/laws: RESULTS/laws.txt and laws.csv */
 #include "app/study_cases.h"
 #include "app/study_figure.h"
+#include "app/study_laws.h"
 #include "app/study_report.h"
 
 #include "base/alloc.h"
@@ -51,12 +53,29 @@ static size_t count_runs(const study *s) {
     return n;
 }
 
+static int report_laws(const char *runs, const char *results) {
+    diag d = {0};
+    int status = study_laws_report(runs, results, &d);
+    if (status)
+        fprintf(stderr, "study: %s\n", d.message);
+    return status;
+}
+
 int main(int argc, char **argv) {
     gsl_set_error_handler_off();
+    if (argc == 2 && strcmp(argv[1], "-laws-plan") == 0) {
+        study_laws_plan();
+        return SARCINA_OK;
+    }
+    if (argc == 4 && strcmp(argv[1], "-laws") == 0)
+        return report_laws(argv[2], argv[3]);
     if (argc == 2 && strcmp(argv[1], "-plan") == 0)
         return put_plan();
     if (argc != 7 || strcmp(argv[1], "-report") != 0) {
-        fputs("usage: study -plan | study -report RUNS SEEDS DATA TEMPLATE RESULTS\n", stderr);
+        fputs(
+            "usage: study -plan | study -report RUNS SEEDS DATA TEMPLATE RESULTS | study -laws-plan | study -laws RUNS "
+            "RESULTS\n",
+            stderr);
         return SARCINA_USAGE;
     }
     study s;
