@@ -65,21 +65,19 @@ typedef struct measure {
     const char *column; /* of the last row, or of the scalars */
     double scale;       /* from SI to the unit */
     int digits;
+    double margin; /* largest difference that counts as none, in the unit; 0: a tenth of the published mean */
 } measure;
 
 static const measure measures[] = {
-    {"C", "", "C", 1, 3},
-    {"thickness", "um", "thickness", 1e6, 2},
-    {"area", "um2", "ellipse.area", 1e12, 0},
-    {"gyration", "um", "gyration", 1e6, 2},
-    {"cells at stacking", "", "stacked.cells", 1, 0},
-    {"links a cell", "", "held", 1, 3},
-    {"compactness", "1e-3", "body", 1e3, 2},
-    {"clusters", "", "clusters", 1, 2},
+    {"C", "", "C", 1, 3, 0.05}, /* near 0 in large colonies */
+    {"thickness", "um", "thickness", 1e6, 2, 0},
+    {"area", "um2", "ellipse.area", 1e12, 0, 0},
+    {"gyration", "um", "gyration", 1e6, 2, 0},
+    {"cells at stacking", "", "stacked.cells", 1, 0, 0},
+    {"links a cell", "", "held", 1, 3, 0},
+    {"compactness", "1e-3", "body", 1e3, 2, 0},
+    {"clusters", "", "clusters", 1, 2, 0},
 };
-
-/* Largest difference that counts as none, as a part of the published mean. */
-static const double margin = 0.10;
 
 typedef struct ensemble {
     inference_sample of[TABLE_COUNT(measures)];
@@ -151,7 +149,8 @@ static void add_row(report *r, comparison c) {
     c.difference = inference_compare(c.of, c.published);
     inference_difference d = c.difference;
     d.value = fabs(d.value);
-    c.p_same = is_published ? (double)NAN : inference_p_equivalent(d, margin * fabs(c.published.mean));
+    double margin = c.measure->margin > 0 ? c.measure->margin : 0.1 * fabs(c.published.mean);
+    c.p_same = is_published ? (double)NAN : inference_p_equivalent(d, margin);
     c.p_differs = is_published ? (double)NAN : fmin(1, 2 * inference_p_above(d, 0));
     r->rows = alloc_grow(r->rows, &r->capacity, r->n + 1, sizeof *r->rows);
     r->rows[r->n++] = c;
