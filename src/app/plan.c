@@ -2,6 +2,7 @@
 #include "app/plan.h"
 
 #include "base/alloc.h"
+#include "base/hash.h"
 #include "base/path.h"
 
 #include <inttypes.h>
@@ -234,12 +235,9 @@ void plan_free(plan *p) {
 
 /* ---- what is done ---- */
 
-/* FNV-1a (Fowler, Noll, Vo), going on from h; the end of the text counts. */
+/* The end of the text counts. */
 static uint64_t hash_text(uint64_t h, const char *text) {
-    do
-        h = (h ^ (unsigned char)*text) * 0x100000001b3u;
-    while (*text++);
-    return h;
+    return hash_bytes(h, text, strlen(text) + 1);
 }
 
 void plan_set_tag(plan *p, const options *o, uint64_t fingerprint) {

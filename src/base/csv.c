@@ -9,7 +9,7 @@
 
 int csv_open(csv *t, const char *path, diag *d) {
     *t = (csv){.path = path, .file = fopen(path, "r")};
-    return t->file ? SARCINA_OK : diag_error(d, "no table '%s': %s", path, strerror(errno));
+    return t->file ? SARCINA_OK : diag_error(d, "cannot read '%s': %s", path, strerror(errno));
 }
 
 void csv_close(csv *t) {

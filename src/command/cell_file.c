@@ -2,6 +2,7 @@
 #include "command/cell_file.h"
 
 #include "base/alloc.h"
+#include "base/csv.h"
 #include "base/number.h"
 #include "base/path.h"
 #include "base/table.h"
@@ -54,38 +55,30 @@ typedef struct column {
 
 typedef struct reader {
     interp *in;
-    const char *path;
-    int line;
+    csv table;
     column *columns;
     size_t ncolumns, capacity;
     uint32_t particles; /* of the longest cell the columns hold */
 } reader;
 
-/* The next cell of a CSV line, blanks at its ends taken off; NULL at the end. Quotes are not special. */
-static char *next_word(char **line) {
-    if (!*line)
-        return NULL;
-    char *word = strsep(line, ",");
+/* A field without the blanks at its ends. */
+static char *trim(char *word) {
     word += strspn(word, " \t");
     size_t n = strlen(word);
-    while (n && strchr(" \t\r\n", word[n - 1]))
+    while (n && strchr(" \t", word[n - 1]))
         word[--n] = '\0';
     return word;
 }
 
 static int read_unit(reader *r, const char *text, dim wanted, double *to_si, diag *d) {
-    units *u = units_create(d);
-    if (!u)
-        return SARCINA_ERROR;
     units_value one;
     char *number = alloc_format("1%s", text);
-    int status = units_read(u, number, strlen(number), &one, d);
+    int status = units_read(interp_units(r->in), number, strlen(number), &one, d);
     free(number);
-    units_free(u);
     if (status)
         return status;
     if (!dim_equal(one.d, wanted))
-        return diag_error(d, "%s:%d: '[%s]' is no unit of this column", r->path, r->line, text);
+        return diag_error(d, "%s:%zu: '[%s]' is no unit of this column", r->table.path, r->table.row, text);
     *to_si = one.si;
     return SARCINA_OK;
 }
@@ -133,21 +126,21 @@ static bool has_column(const reader *r, const char *name) {
     return false;
 }
 
-static int read_header(reader *r, char *line, diag *d) {
+static int read_header(reader *r, diag *d) {
     static const char *const centre[] = {"x", "y", "z"};
     int status = SARCINA_OK;
-    for (char *word; !status && (word = next_word(&line));)
-        status = read_heading(r, word, d);
+    for (size_t i = 0; !status && i < r->table.n; i++)
+        status = read_heading(r, trim(r->table.fields[i]), d);
     for (int k = 0; !status && k < 3; k++) {
         bool has = has_column(r, centre[k]);
         if (!has && !r->particles) {
-            status = diag_error(d, "%s:%d: the header lacks the column '%s'", r->path, r->line, centre[k]);
+            status = diag_error(d, "%s:%zu: the header lacks the column '%s'", r->table.path, r->table.row, centre[k]);
             diag_help(d, "columns: species x y z mass diameter ux uy uz, units in brackets: x[um]");
         } else if (has && r->particles) {
             status = diag_error(d,
-                                "%s:%d: a cell's place is that of its centre (%s) or of its particles (%s1 ...), "
+                                "%s:%zu: a cell's place is that of its centre (%s) or of its particles (%s1 ...), "
                                 "not both",
-                                r->path, r->line, centre[k], centre[k]);
+                                r->table.path, r->table.row, centre[k], centre[k]);
         }
     }
     return status;
@@ -159,7 +152,7 @@ static int refuse_word(const reader *r, const column *c, const char *word, const
         snprintf(name, sizeof name, "%s%u", particle_names[c->component], c->particle);
     else
         snprintf(name, sizeof name, "%s", known[c->known].name);
-    return diag_error(d, "%s:%d: %s: '%s' is %s", r->path, r->line, name, word, what);
+    return diag_error(d, "%s:%zu: %s: '%s' is %s", r->table.path, r->table.row, name, word, what);
 }
 
 /* A whole number of a cell's descent. */
@@ -203,7 +196,8 @@ static int read_word(const reader *r, const char *word, const column *c, cell_ro
         if (c->particle || known[c->known].dimension)
             return read_number(r, word, c, row, d);
         row->species = species_find(&interp_scene(r->in)->species, word);
-        return row->species < 0 ? diag_error(d, "%s:%d: no species '%s'", r->path, r->line, word) : SARCINA_OK;
+        return row->species < 0 ? diag_error(d, "%s:%zu: no species '%s'", r->table.path, r->table.row, word)
+                                : SARCINA_OK;
     }
     return read_id(r, word, c, row, d);
 }
@@ -211,30 +205,29 @@ static int read_word(const reader *r, const char *word, const column *c, cell_ro
 /* What the row says must fit its species. */
 static int check_row(const reader *r, cell_row *row, diag *d) {
     if (row->species < 0)
-        return diag_error(d, "%s:%d: the row names no species", r->path, r->line);
+        return diag_error(d, "%s:%zu: the row names no species", r->table.path, r->table.row);
     const species *sp = &interp_scene(r->in)->species.list[row->species];
     size_t wanted = species_particles(sp);
     if (r->particles && row->nparticles != wanted)
-        return diag_error(d, "%s:%d: a cell of %s has %zu particle%s, not %u", r->path, r->line, sp->name, wanted,
-                          wanted == 1 ? "" : "s", row->nparticles);
+        return diag_error(d, "%s:%zu: a cell of %s has %zu particle%s, not %u", r->table.path, r->table.row, sp->name,
+                          wanted, wanted == 1 ? "" : "s", row->nparticles);
     /* of a coccus, size and mass are one */
     if (sp->shape == SHAPE_COCCUS && row->diameter > 0 && !(row->mass > 0))
         row->mass = shape_coccus_mass(row->diameter, sp->density);
     return SARCINA_OK;
 }
 
-static int read_row(reader *r, char *line, cell_row *row, diag *d) {
-    size_t i = 0;
+static int read_row(reader *r, cell_row *row, diag *d) {
+    size_t n = r->table.n;
     int status = SARCINA_OK;
     if (r->particles)
         row->particles = alloc_zeroed(6 * (size_t)r->particles, sizeof *row->particles);
-    for (char *word; !status && (word = next_word(&line)); i++) {
-        if (i >= r->ncolumns)
-            return diag_error(d, "%s:%d: more values than columns (%zu)", r->path, r->line, r->ncolumns);
-        status = read_word(r, word, &r->columns[i], row, d);
-    }
-    if (!status && i < r->ncolumns)
-        return diag_error(d, "%s:%d: %zu values for %zu columns", r->path, r->line, i, r->ncolumns);
+    for (size_t i = 0; !status && i < n && i < r->ncolumns; i++)
+        status = read_word(r, trim(r->table.fields[i]), &r->columns[i], row, d);
+    if (!status && n > r->ncolumns)
+        status = diag_error(d, "%s:%zu: more values than columns (%zu)", r->table.path, r->table.row, r->ncolumns);
+    if (!status && n < r->ncolumns)
+        status = diag_error(d, "%s:%zu: %zu values for %zu columns", r->table.path, r->table.row, n, r->ncolumns);
     return status ? status : check_row(r, row, d);
 }
 
@@ -247,29 +240,25 @@ void cell_file_free(cell_row *rows, size_t count) {
 int cell_file_read(interp *in, const char *path, int species_row, cell_row **rows, size_t *count, diag *d) {
     *rows = NULL;
     *count = 0;
-    FILE *f = fopen(path, "r");
-    if (!f)
-        return diag_error(d, "cannot read '%s': %s", path, strerror(errno));
-    reader r = {.in = in, .path = path};
-    char *line = NULL;
-    size_t room = 0, capacity = 0;
-    int status = SARCINA_OK;
-    while (!status && getline(&line, &room, f) >= 0) {
-        r.line++;
-        if (line[strspn(line, " \t\r\n")] == '\0' || line[0] == '#')
+    reader r = {.in = in};
+    size_t capacity = 0;
+    int status = csv_open(&r.table, path, d);
+    if (status)
+        return status;
+    while (!status && csv_next(&r.table)) {
+        if (r.table.n == 1 && !*trim(r.table.fields[0]))
             continue;
         if (!r.ncolumns) {
-            status = read_header(&r, line, d);
+            status = read_header(&r, d);
             continue;
         }
         *rows = alloc_grow(*rows, &capacity, *count + 1, sizeof **rows);
         (*rows)[*count] = (cell_row){.species = species_row, .mass = NAN, .diameter = NAN};
-        status = read_row(&r, line, &(*rows)[(*count)++], d);
+        status = read_row(&r, &(*rows)[(*count)++], d);
     }
     if (!status && !r.ncolumns)
         status = diag_error(d, "'%s' has no header line", path);
-    free(line);
-    fclose(f);
+    csv_close(&r.table);
     free(r.columns);
     if (status) {
         cell_file_free(*rows, *count);

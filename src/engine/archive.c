@@ -2,6 +2,7 @@
 #include "engine/archive.h"
 
 #include "base/alloc.h"
+#include "base/hash.h"
 #include "base/path.h"
 
 #include <errno.h>
@@ -99,19 +100,11 @@ size_t archive_bytes(const archive *a) {
     return n;
 }
 
-/* FNV-1a, 64 bits: finds damage, proves nothing. */
-static uint64_t checksum(const char *bytes, size_t n) {
-    uint64_t h = 0xcbf29ce484222325u;
-    for (size_t i = 0; i < n; i++)
-        h = (h ^ (unsigned char)bytes[i]) * 0x100000001b3u;
-    return h;
-}
-
 static bool write_blocks(const archive *a, FILE *f) {
     bool good = fputs(MAGIC, f) >= 0;
     for (size_t i = 0; i < a->count && good; i++) {
         const block *b = &a->list[i];
-        good = fprintf(f, "%s %zu %016" PRIx64 "\n", b->name, b->n, checksum(b->data->bytes, b->n)) > 0 &&
+        good = fprintf(f, "%s %zu %016" PRIx64 "\n", b->name, b->n, hash_bytes(HASH_BEGIN, b->data->bytes, b->n)) > 0 &&
                fwrite(b->data->bytes, 1, b->n, f) == b->n && fputc('\n', f) != EOF;
     }
     return good && fprintf(f, "end 0 0\n") > 0 && fflush(f) == 0 && fsync(fileno(f)) == 0;
@@ -145,7 +138,7 @@ static bool read_block(archive *a, FILE *f, bool *last) {
     if (fseek(f, 0, SEEK_END) || (size_t)(ftell(f) - here) < n || fseek(f, here, SEEK_SET))
         return false;
     char *bytes = alloc_zeroed(n + 1, 1);
-    bool good = fread(bytes, 1, n, f) == n && fgetc(f) == '\n' && checksum(bytes, n) == sum;
+    bool good = fread(bytes, 1, n, f) == n && fgetc(f) == '\n' && hash_bytes(HASH_BEGIN, bytes, n) == sum;
     if (good)
         archive_put(a, name, bytes, n);
     free(bytes);

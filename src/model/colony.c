@@ -2,6 +2,7 @@
 #include "model/colony.h"
 
 #include "base/alloc.h"
+#include "base/search.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -189,18 +190,6 @@ static void take_rows(colony *c, int table, const uint32_t *rows, size_t n) {
     c->cell_version += table == CELLS;
 }
 
-static bool is_id_dropped(const uint64_t *dropped, size_t n, uint64_t id) {
-    size_t low = 0, high = n;
-    while (low < high) {
-        size_t middle = (low + high) / 2;
-        if (dropped[middle] < id)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < n && dropped[low] == id;
-}
-
 /* Drops the links of the cells that `kept` does not mark. */
 static void drop_links_of_dropped_cells(colony *c, const bool *kept) {
     if (!c->link.count)
@@ -214,8 +203,8 @@ static void drop_links_of_dropped_cells(colony *c, const bool *kept) {
     if (ndropped) {
         bool *drop = alloc_zeroed(c->link.count, sizeof *drop);
         for (size_t l = 0; l < c->link.count; l++)
-            drop[l] = is_id_dropped(dropped, ndropped, c->link.cell_a[l]) ||
-                      is_id_dropped(dropped, ndropped, c->link.cell_b[l]);
+            drop[l] = search_id(dropped, ndropped, c->link.cell_a[l]) < ndropped ||
+                      search_id(dropped, ndropped, c->link.cell_b[l]) < ndropped;
         colony_drop_links(c, drop);
         free(drop);
     }

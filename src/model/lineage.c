@@ -2,6 +2,7 @@
 #include "model/lineage.h"
 
 #include "base/alloc.h"
+#include "base/search.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -74,19 +75,6 @@ void lineage_add(lineage **l, colony *c, const bool *doomed) {
     *l = all;
 }
 
-/* Place of an id among n sorted ids; n: it is not there. */
-static size_t find(const uint64_t *ids, size_t n, uint64_t id) {
-    size_t low = 0, high = n;
-    while (low < high) {
-        size_t middle = (low + high) / 2;
-        if (ids[middle] < id)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < n && ids[low] == id ? low : n;
-}
-
 /* A mother's id is below her daughters', so one pass over the living and the dead in the order of ids tells all. */
 void lineage_mark(const lineage *l, colony *c, uint64_t id, bool *flags) {
     const uint32_t *order = colony_by_id(c);
@@ -96,13 +84,13 @@ void lineage_mark(const lineage *l, colony *c, uint64_t id, bool *flags) {
     for (size_t i = 0; i <= c->cell.count; i++) {
         uint64_t next = i < c->cell.count ? c->cell.id[order[i]] : UINT64_MAX;
         for (; dead < l->n && l->list[dead].id < next; dead++) {
-            size_t mother = find(ids, n, l->list[dead].parent);
+            size_t mother = search_id(ids, n, l->list[dead].parent);
             marked[n] = l->list[dead].id == id || (mother < n && marked[mother]);
             ids[n++] = l->list[dead].id;
         }
         if (i == c->cell.count)
             break;
-        size_t mother = find(ids, n, c->cell.parent[order[i]]);
+        size_t mother = search_id(ids, n, c->cell.parent[order[i]]);
         marked[n] = next == id || (mother < n && marked[mother]);
         flags[order[i]] = marked[n];
         ids[n++] = next;

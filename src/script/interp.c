@@ -2,6 +2,7 @@
 #include "script/interp.h"
 
 #include "base/alloc.h"
+#include "base/hash.h"
 #include "script/execute.h"
 #include "script/names.h"
 #include "script/state.h"
@@ -357,12 +358,12 @@ static void check_unread(interp *shadow) {
     }
 }
 
-/* FNV-1a (Fowler, Noll, Vo) of the files' texts, in the order in which they were read. */
+/* Of the files' texts, in the order in which they were read. */
 static uint64_t hash_sources(const interp *in) {
-    uint64_t h = 0xcbf29ce484222325u;
+    uint64_t h = HASH_BEGIN;
     for (size_t i = 0; i < in->nsources; i++)
-        for (size_t k = 0; *in->sources[i]->name && k < in->sources[i]->length; k++)
-            h = (h ^ (unsigned char)in->sources[i]->text[k]) * 0x100000001b3u;
+        if (*in->sources[i]->name)
+            h = hash_bytes(h, in->sources[i]->text, in->sources[i]->length);
     return h;
 }
 
