@@ -39,6 +39,11 @@ static const known_column known[] = {
     {"id", "id", offsetof(cell_row, id)},
     {"parent", "id", offsetof(cell_row, parent)},
     {"founder", "id", offsetof(cell_row, founder)},
+    {"groups", NULL, 0},
+    {"fi", "number", offsetof(cell_row, frame[0])},
+    {"fj", "number", offsetof(cell_row, frame[1])},
+    {"fk", "number", offsetof(cell_row, frame[2])},
+    {"fw", "number", offsetof(cell_row, frame[3])},
 };
 static const char *const particle_names[] = {"x", "y", "z", "vx", "vy", "vz"};
 enum { KNOWN = sizeof known / sizeof known[0] };
@@ -189,12 +194,31 @@ static int read_number(const reader *r, const char *word, const column *c, cell_
     return SARCINA_OK;
 }
 
+/* Names of groups, parted by blanks. */
+static int read_groups(const reader *r, const char *word, cell_row *row, diag *d) {
+    for (const char *at = word + strspn(word, " "); *at; at += strspn(at, " ")) {
+        char *name = alloc_copy_n(at, strcspn(at, " "));
+        int bit = group_find(&interp_scene(r->in)->groups, name);
+        if (bit >= 0)
+            row->groups |= (uint64_t)1 << bit;
+        else
+            diag_error(d, "%s:%zu: no group '%s'", r->table.path, r->table.row, name);
+        at += strlen(name);
+        free(name);
+        if (bit < 0)
+            return SARCINA_ERROR;
+    }
+    return SARCINA_OK;
+}
+
 static int read_word(const reader *r, const char *word, const column *c, cell_row *row, diag *d) {
     if (!*word || (c->known < 0 && !c->particle))
         return SARCINA_OK;
     if (c->particle || strcmp(known[c->known].dimension ? known[c->known].dimension : "", "id") != 0) {
         if (c->particle || known[c->known].dimension)
             return read_number(r, word, c, row, d);
+        if (strcmp(known[c->known].name, "groups") == 0)
+            return read_groups(r, word, row, d);
         row->species = species_find(&interp_scene(r->in)->species, word);
         return row->species < 0 ? diag_error(d, "%s:%zu: no species '%s'", r->table.path, r->table.row, word)
                                 : SARCINA_OK;
@@ -237,7 +261,8 @@ void cell_file_free(cell_row *rows, size_t count) {
     free(rows);
 }
 
-int cell_file_read(interp *in, const char *path, int species_row, cell_row **rows, size_t *count, diag *d) {
+int cell_file_read(interp *in, const char *path, int species_row, cell_row **rows, size_t *count, link_file *links,
+                   diag *d) {
     *rows = NULL;
     *count = 0;
     reader r = {.in = in};
@@ -251,6 +276,10 @@ int cell_file_read(interp *in, const char *path, int species_row, cell_row **row
         if (!r.ncolumns) {
             status = read_header(&r, d);
             continue;
+        }
+        if (link_file_begins(&r.table)) {
+            status = links ? link_file_read(links, &r.table, d) : SARCINA_OK;
+            break;
         }
         *rows = alloc_grow(*rows, &capacity, *count + 1, sizeof **rows);
         (*rows)[*count] = (cell_row){.species = species_row, .mass = NAN, .diameter = NAN};
@@ -270,9 +299,29 @@ int cell_file_read(interp *in, const char *path, int species_row, cell_row **row
 
 /* ---- writing ---------------------------------------------------------------------------------------------------- */
 
-static void write_header(FILE *f, const scene *s, uint32_t particles, bool aspect) {
+/* Columns that not every scene needs. */
+typedef struct extent {
+    uint32_t particles; /* of the longest cell */
+    bool aspect, groups, frame;
+} extent;
+
+static extent find_extent(const cell_columns *c) {
+    extent e = {.particles = 1};
+    for (size_t i = 0; i < c->count; i++) {
+        const double *frame = c->frame + 4 * i;
+        e.particles = c->nparticles[i] > e.particles ? c->nparticles[i] : e.particles;
+        e.aspect = e.aspect || c->aspect[i] > 0;
+        e.groups = e.groups || c->groups[i];
+        e.frame = e.frame || frame[0] != 0 || frame[1] != 0 || frame[2] != 0 || frame[3] != 0;
+    }
+    return e;
+}
+
+static void write_header(FILE *f, const scene *s, const extent *e) {
+    uint32_t particles = e->particles;
     fprintf(f, "# sarcina cells: step %" PRIu64 ", time %.17g s\n", s->step, s->time);
-    fprintf(f, "species,id,parent,founder,generation,age[s],mass[pg],diameter[um]%s", aspect ? ",aspect" : "");
+    fprintf(f, "species,id,parent,founder,generation,age[s],mass[pg],diameter[um]%s%s%s", e->aspect ? ",aspect" : "",
+            e->groups ? ",groups" : "", e->frame ? ",fi,fj,fk,fw" : "");
     for (uint32_t i = 1; i <= particles; i++)
         fprintf(f, ",x%u[um],y%u[um],z%u[um]", i, i, i);
     for (uint32_t i = 1; i <= particles; i++)
@@ -289,13 +338,30 @@ static void write_vectors(FILE *f, const double *v, uint32_t n, uint32_t particl
             fputc(',', f);
 }
 
-static void write_cell(FILE *f, const scene *s, uint32_t row, uint32_t particles, bool aspect) {
+static void write_groups(FILE *f, const scene *s, uint64_t groups) {
+    const char *before = ",";
+    if (!groups)
+        fputc(',', f);
+    for (int bit = 0; bit < GROUP_MAX; bit++)
+        if (groups >> bit & 1) {
+            fprintf(f, "%s%s", before, s->groups.name[bit]);
+            before = " ";
+        }
+}
+
+static void write_cell(FILE *f, const scene *s, uint32_t row, const extent *e) {
     const cell_columns *c = &s->colony->cell;
+    uint32_t particles = e->particles;
+    const double *frame = c->frame + 4 * (size_t)row;
     fprintf(f, "%s,%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%d,%.17g,%.17g,%.17g", s->species.list[c->species[row]].name,
             c->id[row], c->parent[row], c->founder[row], c->generation[row], s->time - c->birth[row], c->mass[row],
             c->diameter[row]);
-    if (aspect)
+    if (e->aspect)
         fprintf(f, ",%.17g", c->aspect[row]);
+    if (e->groups)
+        write_groups(f, s, c->groups[row]);
+    if (e->frame)
+        fprintf(f, ",%.17g,%.17g,%.17g,%.17g", frame[0], frame[1], frame[2], frame[3]);
     write_vectors(f, s->colony->particle.x + 3 * (size_t)c->first[row], c->nparticles[row], particles);
     write_vectors(f, s->colony->particle.v + 3 * (size_t)c->first[row], c->nparticles[row], particles);
     fputc('\n', f);
@@ -304,19 +370,15 @@ static void write_cell(FILE *f, const scene *s, uint32_t row, uint32_t particles
 int cell_file_write(interp *in, const char *path, diag *d) {
     const scene *s = interp_scene(in);
     const cell_columns *c = &s->colony->cell;
-    uint32_t particles = 1;
-    bool aspect = false;
-    for (size_t i = 0; i < c->count; i++) {
-        particles = c->nparticles[i] > particles ? c->nparticles[i] : particles;
-        aspect = aspect || c->aspect[i] > 0;
-    }
+    const extent e = find_extent(c);
     FILE *f = path_open(path, "w", d);
     if (!f)
         return SARCINA_ERROR;
-    write_header(f, s, particles, aspect);
+    write_header(f, s, &e);
     const uint32_t *order = colony_by_id(s->colony);
     for (size_t i = 0; i < c->count; i++)
-        write_cell(f, s, order[i], particles, aspect);
+        write_cell(f, s, order[i], &e);
+    link_file_write(f, s);
     bool good = !ferror(f);
     good = fclose(f) == 0 && good;
     return good ? SARCINA_OK : path_error(path, d);

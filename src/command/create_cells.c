@@ -144,7 +144,7 @@ static int run_file(interp *in, const args *a, diag *d) {
     int status = begin(in, a, d);
     if (status || interp_checking(in))
         return status;
-    status = cell_file_read(in, args_text(a, "FILE"), args_row(a, "NAME"), &rows, &count, d);
+    status = cell_file_read(in, args_text(a, "FILE"), args_row(a, "NAME"), &rows, &count, NULL, d);
     if (status)
         return status;
     bool needs_mass = args_given(a, "mass");

@@ -49,18 +49,24 @@ static int run_read(interp *in, const args *a, diag *d) {
     }
     cell_row *rows;
     size_t count, created = 0;
-    int status = cell_file_read(in, args_text(a, "FILE"), -1, &rows, &count, d);
+    link_file links = {0};
+    int status = cell_file_read(in, args_text(a, "FILE"), -1, &rows, &count, &links, d);
     if (!status)
         status = check_ids(rows, count, d);
     for (size_t i = 0; i < count && !status; i++)
         if (!(rows[i].mass > 0))
             status = diag_error(d, "cell %zu of the file has no mass", i + 1);
+    if (!status)
+        status = link_file_check(&links, rows, count, d);
     const placement p = {.orient = ORIENT_RANDOM, .gap = NAN, .overlap = true, .mass = spread_fixed(1), .maxtry = 1};
     if (!status)
         status = scene_create_rows(s, &p, rows, count, &created, d);
-    if (!status)
+    if (!status) {
+        link_file_add(&links, s);
         interp_print(in, "read %zu cells", created);
+    }
     cell_file_free(rows, count);
+    link_file_free(&links);
     return status;
 }
 
@@ -74,15 +80,18 @@ static const command_form forms[] = {
      .summary = "Writes the cells to a CSV file",
      .details = "One a row: species, descent, age, mass, diameter, and the places and velocities of its particles, "
                 "with units in the headings. 'read_data' and 'create_cells NAME file' take them back to the bit. "
-                "Links, groups, species and the clock are in restart files only (write_restart).",
+                "Groups and the frames of divisions are columns where cells have them; links stand in a second table "
+                "behind the line 'links', one spring a row. 'create_cells' makes new cells of the first table alone. "
+                "Species and the clock are in restart files only (write_restart).",
      .example = "write_data colony.*.csv",
      .run = run_write},
     {.head = "read_data FILE:file",
      .params = read_params,
      .nparams = TABLE_COUNT(read_params),
      .summary = "Puts the cells of a file into a scene without cells",
-     .details = "They keep their ids, mothers, generations and ages; their species must be there, and every one needs "
-                "a mass. Overlaps are taken as they are. To add new cells of the same places, write 'create_cells "
+     .details = "They keep their ids, mothers, generations and ages; their species and groups must be there, and "
+                "every one needs a mass; their links come with them. Overlaps are taken as they are. To add new cells "
+                "of the same places, write 'create_cells "
                 "NAME file FILE'.",
      .example = "write_data colony.csv\ndelete_cells all\nread_data colony.csv",
      .run = run_read},

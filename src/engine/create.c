@@ -14,6 +14,7 @@
 #include <gsl/gsl_randist.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* What is there before: to go back to when not all can be placed. */
 typedef struct mark {
@@ -361,6 +362,8 @@ static void restore_cell(scene *s, const cell_row *from, uint32_t row) {
     c->cell.founder[row] = from->founder ? from->founder : from->id;
     c->cell.generation[row] = (int32_t)from->generation;
     c->cell.birth[row] = s->time - from->age;
+    c->cell.groups[row] |= from->groups;
+    memcpy(c->cell.frame + 4 * (size_t)row, from->frame, sizeof from->frame);
 }
 
 int scene_create_rows(scene *s, const placement *p, const cell_row *rows, size_t n, size_t *created, diag *d) {

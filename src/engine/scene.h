@@ -142,6 +142,8 @@ typedef struct cell_row {
     double *particles;            /* (nparticles x 6): x y z vx vy vz, in the place of centre and axis; owned */
     uint64_t id, parent, founder; /* id 0: the next one, and a founder */
     double generation, age;
+    double frame[4]; /* of the next division; 0: not drawn yet */
+    uint64_t groups; /* bits of the group table */
 } cell_row;
 
 /* An error when places cannot be drawn from a region: it has no bounds. */
