@@ -110,7 +110,7 @@ static const option table[] = {
     {"e", 1, take_command, "COMMAND", "run this command, after FILE when there is one"},
     {"i", 0, take_interactive, "", "stay at the prompt afterwards"},
     {"noinit", 0, take_noinit, "", "at a prompt, do not read $XDG_CONFIG_HOME/sarcina/init.in (~/.config without it)"},
-    {"check", 0, take_check, "", "read and check the whole script, report every error, run nothing"},
+    {"check", 0, take_check, "", "read and check the whole script, report every error and what it will take, run nothing"},
     {"skiprun", 0, take_skiprun, "",
      "grow and relax nothing: everything else of the script runs, to find its mistakes"},
     {"test", 0, take_test, "PATH...", "run the scripts *.test.in of these files and folders; print N passed, N failed"},

@@ -233,6 +233,7 @@ int program_create(program *p, const options *o, diag *d) {
     commands_add(p->commands);
     p->library = find_library();
     p->host = (interp_host){.commands = p->commands,
+                            .forecast = o->check,
                             .units = p->units,
                             .self = p,
                             .screen = print_screen,

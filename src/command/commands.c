@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "command/commands.h"
 
+#include "command/forecast.h"
 #include "command/past.h"
 #include "command/session.h"
 #include "command/watch.h"
@@ -26,6 +27,7 @@ static void free_session(void *client) {
     free(s->restart.files[1]);
     session_drop_groups(s);
     free(s->dynamic);
+    free(s->forecast);
     past_free(s->past);
     watch_free(s->watch);
     free(s);
@@ -37,6 +39,7 @@ static void end_loop(interp *in) {
 
 void commands_add(command_table *t) {
     command_set_client(t, create_session, free_session, end_loop);
+    command_set_checked(t, forecast_report);
     command_set_line(t, past_begin, past_ran);
 #define COMMAND_ADD(name) command_##name(t);
     COMMAND_FILES(COMMAND_ADD)

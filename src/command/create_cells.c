@@ -3,6 +3,7 @@
 #include "command/commands.h"
 
 #include "command/cell_file.h"
+#include "command/forecast.h"
 #include "command/session.h"
 
 #include "base/alloc.h"
@@ -70,13 +71,35 @@ static int begin(interp *in, const args *a, diag *d) {
 /* What each way of creating makes of its own arguments. */
 typedef int create(scene *s, const args *a, const placement *p, size_t *created, diag *d);
 
-static int create_with(interp *in, const args *a, create *how, diag *d) {
+/* And how many that would be, in a check. */
+typedef double count_of(const args *a);
+
+static double count_single(const args *a) {
+    (void)a;
+    return 1;
+}
+
+static double count_random(const args *a) {
+    return (double)args_int(a, "N");
+}
+
+static double count_grid(const args *a) {
+    return (double)args_int(a, "NX") * (double)args_int(a, "NY") * (double)args_int(a, "NZ");
+}
+
+static int create_with(interp *in, const args *a, create *how, count_of *many, diag *d) {
     placement p;
     size_t created = 0;
     int status = begin(in, a, d);
-    if (!status && !interp_checking(in))
+    if (!status && interp_checking(in)) {
+        bool known = read_placement(in, a, &p, NULL) == SARCINA_OK;
+        if (known)
+            forecast_create(in, &p, many(a), many == count_single ? args_number(a, "Z") : (double)NAN);
+        return SARCINA_OK;
+    }
+    if (!status)
         status = read_placement(in, a, &p, d);
-    if (status || interp_checking(in))
+    if (status)
         return status;
     status = how(interp_scene(in), a, &p, &created, d);
     if (!status)
@@ -90,7 +113,7 @@ static int create_single(scene *s, const args *a, const placement *p, size_t *cr
 }
 
 static int run_single(interp *in, const args *a, diag *d) {
-    return create_with(in, a, create_single, d);
+    return create_with(in, a, create_single, count_single, d);
 }
 
 static int create_random(scene *s, const args *a, const placement *p, size_t *created, diag *d) {
@@ -99,7 +122,7 @@ static int create_random(scene *s, const args *a, const placement *p, size_t *cr
 }
 
 static int run_random(interp *in, const args *a, diag *d) {
-    return create_with(in, a, create_random, d);
+    return create_with(in, a, create_random, count_random, d);
 }
 
 static int create_poisson(scene *s, const args *a, const placement *p, size_t *created, diag *d) {
@@ -108,7 +131,7 @@ static int create_poisson(scene *s, const args *a, const placement *p, size_t *c
 }
 
 static int run_poisson(interp *in, const args *a, diag *d) {
-    return create_with(in, a, create_poisson, d);
+    return create_with(in, a, create_poisson, count_random, d);
 }
 
 enum { GRID_MAX = 10000000 };
@@ -134,7 +157,7 @@ static int create_grid(scene *s, const args *a, const placement *p, size_t *crea
 }
 
 static int run_grid(interp *in, const args *a, diag *d) {
-    return create_with(in, a, create_grid, d);
+    return create_with(in, a, create_grid, count_grid, d);
 }
 
 /* The file may give every cell its mass: only if one lacks it is the command's asked for. */
@@ -142,6 +165,8 @@ static int run_file(interp *in, const args *a, diag *d) {
     cell_row *rows;
     size_t count, created;
     int status = begin(in, a, d);
+    if (interp_checking(in))
+        forecast_unknown(in);
     if (status || interp_checking(in))
         return status;
     status = cell_file_read(in, args_text(a, "FILE"), args_row(a, "NAME"), &rows, &count, NULL, d);

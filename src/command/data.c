@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* write_data FILE, read_data FILE: the cells as a table. */
 #include "command/commands.h"
+#include "command/forecast.h"
 
 #include "command/cell_file.h"
 #include "command/session.h"
@@ -42,6 +43,10 @@ static int check_ids(const cell_row *rows, size_t n, diag *d) {
 
 static int run_read(interp *in, const args *a, diag *d) {
     scene *s = interp_scene(in);
+    if (interp_checking(in)) {
+        forecast_unknown(in);
+        return SARCINA_OK;
+    }
     if (s->colony->cell.count) {
         diag_error(d, "read_data takes a scene without cells, and there are %zu", s->colony->cell.count);
         return diag_help(d, "'delete_cells all' before, or add to them: create_cells NAME file %s",

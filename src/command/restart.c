@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* write_restart, read_restart, restart: the whole scene in a file, to the bit. */
 #include "command/commands.h"
+#include "command/forecast.h"
 #include "command/session.h"
 
 #include "base/alloc.h"
@@ -29,6 +30,8 @@ static int run_write(interp *in, const args *a, diag *d) {
 /* In a check the file may not be there yet (the script itself writes it): then all names are unknown from here on. */
 static int run_read(interp *in, const args *a, diag *d) {
     const char *file = args_text(a, "FILE");
+    if (interp_checking(in))
+        forecast_unknown(in);
     if (interp_checking(in) && access(file, R_OK) != 0) {
         interp_open_world(in);
         return SARCINA_OK;

@@ -2,6 +2,7 @@
 /* run N [upto] [grow DT] [relax T] [until TEST] [every M "command" ...]: cycles of growth and relaxation, and the
  * output that is due. Order in a cycle: grow, relax, output, every, until; until is also looked at before the first. */
 #include "command/commands.h"
+#include "command/forecast.h"
 #include "command/session.h"
 #include "command/watch.h"
 
@@ -187,6 +188,27 @@ static int run_cycles(interp *in, const plan *p, diag *d) {
     return status;
 }
 
+/* In a check: how many cycles there will be. Of the conditions that end a run it knows 'cells > N'. */
+static void forecast_cycles(interp *in, const plan *p) {
+    args_cycles_value n = args_cycles(p->a, "N");
+    double until = INFINITY, cycle = p->grow > 0 ? p->grow : p->relax;
+    int used = 0;
+    const char *text = p->until ? expr_text(p->until) : "";
+    if (sscanf(text, "cells > %lf%n", &until, &used) == 1 && !text[used])
+        until += 1;
+    else if (sscanf(text, "cells >= %lf%n", &until, &used) != 1 || text[used])
+        until = INFINITY;
+    forecast_run r = {.cycles = !n.is_time  ? (double)n.cycles
+                                : cycle > 0 ? n.time / cycle
+                                            : 0,
+                      .grow = p->grow,
+                      .relax = p->relax,
+                      .until = until,
+                      .upto = args_given(p->a, "upto"),
+                      .force = p->force > 0};
+    forecast_note_run(in, &r);
+}
+
 static int run_run(interp *in, const args *a, diag *d) {
     session *s = session_of(in);
     plan p = {0};
@@ -203,6 +225,8 @@ static int run_run(interp *in, const args *a, diag *d) {
     s->grow_time = p.grow;
     s->relax_time = p.relax;
     s->relax_force = p.force;
+    if (interp_checking(in))
+        forecast_cycles(in, &p);
     return interp_checking(in) ? SARCINA_OK : run_cycles(in, &p, d);
 }
 

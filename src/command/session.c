@@ -3,6 +3,8 @@
  * outputs stand. Reading it replays the journal into an empty scene and then lays the state in. */
 #include "command/session.h"
 
+#include "command/forecast.h"
+
 #include "base/alloc.h"
 #include "engine/snapshot.h"
 
@@ -30,6 +32,8 @@ char *session_file(const char *pattern, uint64_t step) {
 
 void session_clear(interp *in) {
     session *s = session_of(in);
+    if (interp_checking(in))
+        forecast_clear(in);
     run_report_end_loop(in, &s->report);
     scene_clear(interp_scene(in));
     outputs_clear(s->out);

@@ -39,6 +39,7 @@ typedef struct session {
     dynamic_group *dynamic;
     size_t ndynamic, dynamic_capacity;
     int group_depth;    /* of dynamic groups that are being looked at within others */
+    struct forecast *forecast; /* of a check; NULL */
     bool in_every;      /* a command of `run ... every` is running */
     bool told_replaced; /* that a group was replaced, not added to */
 } session;

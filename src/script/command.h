@@ -131,4 +131,7 @@ void command_set_line(command_table *t, void (*begins)(interp *in),
 void command_set_client(command_table *t, void *(*create)(interp *in), void (*free_client)(void *client),
                         void (*loop_end)(interp *in));
 
+/* Called behind a check without errors whose host wants a forecast. */
+void command_set_checked(command_table *t, void (*checked)(interp *in));
+
 #endif

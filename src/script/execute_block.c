@@ -8,6 +8,7 @@
 #include "script/text.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -65,16 +66,38 @@ static bool is_else(const statement *s) {
     return strncmp(s->line.chars, "else", 4) == 0;
 }
 
+/* As far as a check can know: conditions of variables are as they will be. */
+static bool likely(interp *in, const piece *line) {
+    reader r;
+    word w;
+    expr_type type;
+    bool holds = false;
+    reader_open(&r, in, line);
+    if (reader_peek(&r, &w, NULL) == SARCINA_OK) {
+        reader_take(&r, &w);
+        expr *e = expr_read(&r, EXPR_LONGEST, NULL);
+        if (!e || expr_check(in, e, false, false, &type, NULL) || interp_truth(in, e, &holds, NULL))
+            holds = false;
+        expr_free(e);
+    }
+    reader_close(&r);
+    return holds;
+}
+
 /* In a check all branches are gone through. */
 static int check_branches(interp *in, const statement *s, diag *d) {
+    double passes = in->check.passes, left = passes;
     in->check.branch++;
     for (; s; s = s->next) {
         bool holds;
         *d = (diag){0};
         if (!is_else(s) && condition(in, &s->line, &holds, d) != SARCINA_OK)
             execute_report(in, d);
+        in->check.passes = left > 0 && (is_else(s) || likely(in, &s->line)) ? left : 0;
+        left = in->check.passes > 0 ? 0 : left;
         execute_block(in, &s->body, d);
     }
+    in->check.passes = passes;
     in->check.branch--;
     return SARCINA_OK;
 }
@@ -149,10 +172,13 @@ static int run_repeat(interp *in, const statement *s, diag *d) {
     reader_close(&r);
     bool stop = false;
     uint64_t n = in->check.on ? 1 : (uint64_t)v.si;
+    double passes = in->check.passes;
+    in->check.passes *= v.si;
     for (uint64_t i = 0; i < n && !stop && !status; i++) {
         snprintf(in->stack[in->depth - 1].detail, sizeof in->stack->detail, "pass %llu", (unsigned long long)i + 1);
         status = pass(in, s, &stop, d);
     }
+    in->check.passes = passes;
     return status;
 }
 
@@ -270,6 +296,8 @@ static int run_for(interp *in, const statement *s, diag *d) {
     reader_close(&r);
     bool stop = false;
     size_t passes = q.is_range ? SIZE_MAX : q.n;
+    double checked = in->check.passes;
+    in->check.passes *= q.is_range ? fmax(0, 1 + floor((double)(q.to - q.from) / (double)q.step)) : (double)q.n;
     for (size_t i = 0; i < passes && !stop && !status; i++) {
         char number[32];
         long long x = q.from + (long long)i * q.step;
@@ -279,6 +307,7 @@ static int run_for(interp *in, const statement *s, diag *d) {
         snprintf(number, sizeof number, "%lld", x);
         status = for_pass(in, s, &q, q.is_range ? number : q.words[i], &stop, d);
     }
+    in->check.passes = checked;
     sequence_free(&q);
     return status;
 }

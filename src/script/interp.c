@@ -73,6 +73,10 @@ void *interp_client(interp *in) {
     return in->client;
 }
 
+double interp_check_passes(const interp *in) {
+    return in->check.passes;
+}
+
 bool interp_checking(const interp *in) {
     return in->check.on;
 }
@@ -381,6 +385,7 @@ static void check_source(interp *shadow, const interp_script *script) {
 size_t interp_check(interp *in, const interp_script *list, size_t n, bool whole) {
     interp *shadow = interp_create(in->host);
     shadow->check.on = true;
+    shadow->check.passes = 1;
     shadow->units = in->units;
     variables_copy(&shadow->variables, &in->variables);
     for (size_t i = 0; i < n; i++)
@@ -388,6 +393,10 @@ size_t interp_check(interp *in, const interp_script *list, size_t n, bool whole)
     if (whole)
         check_unread(shadow);
     size_t errors = shadow->check.errors;
+    if (!errors && in->host->forecast && in->host->commands->client_checked) {
+        shadow->check.on = false; /* what it says is to be seen */
+        in->host->commands->client_checked(shadow);
+    }
     in->fingerprint = hash_sources(shadow);
     interp_free(shadow);
     return errors;

@@ -134,6 +134,8 @@ const char *interp_environment(interp *in, const char *name); /* NULL: not set *
 const char *interp_date(const interp *in);                    /* "2026-11-21", or "" */
 int interp_edit(interp *in, char **text, diag *d);            /* by the user; *text is replaced */
 size_t interp_undo_bytes(const interp *in);
+/* In a check: how often the command that is checked would run, as far as loops say; 0 in a branch that is not taken. */
+double interp_check_passes(const interp *in);
 bool interp_skips_runs(const interp *in); /* -skiprun: nothing grows, nothing moves */
 void interp_quit(interp *in, int code);
 
@@ -161,6 +163,7 @@ typedef struct interp_host {
     size_t undo_bytes;   /* of states that a prompt keeps for undo, at most; 0: 256 MB */
     bool skip_runs;      /* grow and relax nothing */
     bool test;           /* a failed expect is counted and the script goes on */
+    bool forecast;       /* a check without errors says what the script will take */
     bool results;        /* leave the tables that ensembles are merged from */
 } interp_host;
 

@@ -356,6 +356,10 @@ void command_set_line(command_table *t, void (*begins)(interp *in),
     t->line_ended = ended;
 }
 
+void command_set_checked(command_table *t, void (*checked)(interp *in)) {
+    t->client_checked = checked;
+}
+
 void command_set_client(command_table *t, void *(*create)(interp *in), void (*free_client)(void *client),
                         void (*loop_end)(interp *in)) {
     t->client_create = create;

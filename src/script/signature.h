@@ -95,6 +95,7 @@ struct command_table {
     void *(*client_create)(interp *in);
     void (*client_free)(void *client);
     void (*client_loop_end)(interp *in);
+    void (*client_checked)(interp *in);
 };
 
 /* Parses a form; what is wrong with it goes to d. free with signature_free. */

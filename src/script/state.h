@@ -28,6 +28,7 @@ typedef struct checking {
     char **doubtful; /* names whose definition failed: not reported again as missing */
     size_t ndoubtful, doubtful_capacity;
     size_t errors;
+    double passes; /* how often the present command would run; 0: not at all, as far as can be known */
 } checking;
 
 typedef enum { LOOP_NONE, LOOP_BREAK, LOOP_CONTINUE } loop_request;
