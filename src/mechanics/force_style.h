@@ -105,6 +105,8 @@ typedef struct force_style {
     /* Appends the springs that act on one body at this state; of a pair: with the body of lower id. Optional. */
     void (*stiffness)(const double *p, const force_frame *at, size_t slot, stiff_list *out);
     void (*stiffness_chain)(const double *p, const force_frame *at, size_t i, stiff_list *out);
+    /* Spring constant (pg/s2) that a particle may meet at any time, whether or not it does now; optional. */
+    double (*contact)(const double *p);
 } force_style;
 
 /* The records, in the order of force_kind. */

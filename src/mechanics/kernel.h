@@ -50,8 +50,10 @@ typedef struct contact_kernel {
     void (*exponential)(size_t n, const double *x, double *y);
     /* n components fly; returns how many change by more than `near`, or to what is no number. */
     size_t (*fly)(size_t n, const kernel_flight *q);
-    /* v += kick x force, n components; returns how many of forces and velocities are not finite. */
-    size_t (*kick)(size_t n, const double *kick, const double *force, double *v);
+    /* v += weight x kick x force, n components; returns how many of kick |force - before| are not within `little` (a
+     * number that is not finite is not). */
+    size_t (*kick)(size_t n, double weight, const double *kick, const double *before, const double *force,
+                   double little, double *v);
 } contact_kernel;
 
 /* The widest kernel of this processor; the one called name, NULL where the program or the processor lacks it. */

@@ -92,14 +92,14 @@ static size_t fly(size_t n, const kernel_flight *q) {
     return far;
 }
 
-static size_t kick(size_t n, const double *restrict by, const double *restrict force, double *restrict v) {
-    size_t lost = 0;
+static size_t kick(size_t n, double weight, const double *restrict by, const double *restrict before,
+                   const double *restrict force, double little, double *restrict v) {
+    size_t jolted = 0;
     for (size_t i = 0; i < n; i++) {
-        v[i] += by[i] * force[i];
-        lost += fabs(force[i]) < HUGE_VAL ? 0 : 1;
-        lost += fabs(v[i]) < HUGE_VAL ? 0 : 1;
+        v[i] += weight * by[i] * force[i];
+        jolted += by[i] * fabs(force[i] - before[i]) <= little ? 0 : 1;
     }
-    return lost;
+    return jolted;
 }
 
 extern const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME);

@@ -96,6 +96,9 @@ double mechanics_stiffness_from(mechanics *m, const double *x, double *mode);
 /* The same without what acts within flexible cells. */
 double mechanics_stiffness_outside(mechanics *m, const double *x, double *mode);
 
+/* The same of the stiffest contact that the lightest particle may come into, whether or not it is in one. */
+double mechanics_contact_stiffness(const mechanics *m);
+
 /* Who is to blame for a step that cannot be taken at x: the particle's cell, the term whose force on it is largest, and
  * the stiffest spring that acts on it, with its term. FORCE_COUNT: no term, no spring. */
 typedef struct mechanics_culprit {

@@ -68,13 +68,23 @@ static void start(const mechanics *m, double *mode) {
     }
 }
 
-/* By power iteration; with or without what acts within chains. */
-static double iterate(mechanics *m, const double *x, double *mode, bool chains) {
-    if (!state_refresh(m, x))
-        return NAN;
-    collect(m, x, chains);
-    if (m->stiff.count == 0)
-        return 0;
+/* Has something come to act that is far stiffer than `value`, in which the mode has no part yet? A few steps from a new
+ * start see that. */
+static bool is_stiffer(mechanics *m, double *probe, double value) {
+    enum { STEPS = 3 };
+    double size = 0, before = 0;
+    start(m, probe);
+    for (int i = 0; i < STEPS; i++) {
+        before = sqrt(dot(m, probe, probe));
+        apply(m, probe, m->scratch);
+        size = sqrt(dot(m, m->scratch, m->scratch));
+        memcpy(probe, m->scratch, 3 * m->nparticles * sizeof *probe);
+    }
+    return size > 10 * value * before;
+}
+
+/* By power iteration. */
+static double iterate(mechanics *m, double *mode) {
     double square = dot(m, mode, mode), value = 0;
     int most = square > 0 ? ITERATIONS_AGAIN : ITERATIONS_FRESH;
     if (square == 0)
@@ -95,12 +105,40 @@ static double iterate(mechanics *m, const double *x, double *mode, bool chains) 
     return value;
 }
 
+/* With or without what acts within chains. */
+static double find(mechanics *m, const double *x, double *mode, bool chains) {
+    if (!state_refresh(m, x))
+        return NAN;
+    collect(m, x, chains);
+    if (m->stiff.count == 0)
+        return 0;
+    bool again = dot(m, mode, mode) > 0;
+    double value = iterate(m, mode);
+    double *probe = again ? alloc_zeroed(3 * m->nparticles, sizeof *probe) : NULL;
+    if (again && is_stiffer(m, probe, value)) {
+        memset(mode, 0, 3 * m->nparticles * sizeof *mode);
+        value = iterate(m, mode);
+    }
+    free(probe);
+    return value;
+}
+
 double mechanics_stiffness_from(mechanics *m, const double *x, double *mode) {
-    return iterate(m, x, mode, true);
+    return find(m, x, mode, true);
 }
 
 double mechanics_stiffness_outside(mechanics *m, const double *x, double *mode) {
-    return iterate(m, x, mode, false);
+    return find(m, x, mode, false);
+}
+
+double mechanics_contact_stiffness(const mechanics *m) {
+    double lightest = INFINITY, k = 0;
+    for (size_t i = 0; i < m->nparticles; i++)
+        lightest = fmin(lightest, m->mass[i]);
+    for (int i = 0; i < FORCE_COUNT; i++)
+        if (m->forces.term[i].on && force_styles[i]->contact)
+            k = fmax(k, force_styles[i]->contact(m->forces.term[i].p));
+    return k / lightest;
 }
 
 double mechanics_stiffness(mechanics *m, const double *x) {

@@ -34,6 +34,50 @@ double control_first_step(motion *mo, const double *a, double tolerance, int ord
     return isfinite(step) && step > 0 ? step : rough;
 }
 
+/* The lightest particle: damping is fastest there. */
+static size_t lightest(const motion *mo) {
+    const double *mass = mechanics_mass(mo->m);
+    size_t least = 0;
+    for (size_t p = 1; p < mo->n; p++)
+        least = mass[p] < mass[least] ? p : least;
+    return least;
+}
+
+int control_look(control_limit *limit, motion *mo, diag *d) {
+    size_t light = lightest(mo);
+    double drag = mechanics_drag(mo->m), damped = (double)INFINITY;
+    double stiff = motion_stable_step(mechanics_stiffness_from(mo->m, mo->x, limit->mode));
+    if (drag > 0)
+        damped = 2 * mechanics_mass(mo->m)[light] / drag;
+    limit->steps = 0;
+    limit->step = fmin(fmin(stiff, damped), motion_contact_step(mo));
+    if (fmin(stiff, damped) >= mo->least)
+        return SARCINA_OK;
+    return stiff <= damped ? motion_fail_stiff(mo, motion_worst(mo, limit->mode), stiff, d)
+                           : motion_fail_damped(mo, light, d);
+}
+
+int control_give_up(control_limit *limit, motion *mo, size_t particle, diag *d) {
+    int status = control_look(limit, mo, d);
+    return status ? status : motion_fail_thrown(mo, particle, CONTROL_LEAST_STEP, d);
+}
+
+void control_count(control_limit *limit, const motion *mo, double h) {
+    limit->steps = limit->obeyed || h < mo->least ? limit->steps + 1 : 0;
+}
+
+int control_watch(control_limit *limit, motion *mo, diag *d) {
+    static const int steps_between_looks = 50, steps_in_a_row = 1000;
+    bool due = limit->steps >= (limit->obeyed ? steps_between_looks : steps_in_a_row);
+    return due ? control_look(limit, mo, d) : SARCINA_OK;
+}
+
+double control_most(const control_limit *limit, double most) {
+    if (!limit->obeyed || !isfinite(limit->step))
+        return most;
+    return most > 0 && most < limit->step ? most : limit->step;
+}
+
 double control_cut(const motion *mo, double wanted, double most, double t1, bool *last) {
     double h = most > 0 && wanted > most ? most : wanted;
     /* a remainder of rounding is no step of its own */

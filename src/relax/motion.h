@@ -16,6 +16,7 @@ typedef struct motion {
     const uint32_t *order; /* particle rows in the order of sums (n) */
     uint64_t steps, rejected, evaluations;
     double least_step, largest_step;
+    double least; /* a scene that needs steps below this throughout is refused, s */
 } motion;
 
 /* Accelerations a (n x 3) at x, v (n x 3): one evaluation. */
@@ -33,8 +34,21 @@ void motion_accept(motion *mo, const double *x, const double *v, double h, bool 
 /* Root mean square of e / tolerance over all 6 n components of (positions, velocities), in the order of ids. */
 double motion_error(const motion *mo, const double *ex, const double *ev, double tolerance);
 
-/* Is every number finite? */
-bool motion_is_finite(const motion *mo, const double *x, const double *v);
+/* How far a step may move a particle, in its radii: cells that pass each other untouched is what must not be. Methods
+ * that estimate their error see a contact that they enter by more; beyond a diameter none sees it. */
+#define MOTION_FARTHEST 0.5
+#define MOTION_FARTHEST_ESTIMATED 2
+
+/* Is every number of a trial state finite, with no particle moved farther than that many radii? */
+bool motion_is_sane(const motion *mo, const double *x, const double *v, double farthest);
+
+/* How far, in radii, the change of force in a step may move a particle in the next. */
+#define MOTION_GENTLE 0.25
+
+/* Whether the change of force in a step of length h, from f0 to f1 (n x 3), moves no particle by more than a quarter of
+ * its radius in the next one: h^2/2 |f1 - f0| / m. Where it does, a spring has come to act that the step is too long
+ * for, and what the state has gained by entering it is energy from nowhere. mass (n); NULL: f are accelerations. */
+bool motion_is_gentle(const motion *mo, const double *f0, const double *f1, const double *mass, double h);
 
 /* The particle of the first number that is not finite, or of the largest |value|. */
 size_t motion_worst(const motion *mo, const double *values);
@@ -42,9 +56,22 @@ size_t motion_worst(const motion *mo, const double *values);
 /* Longest explicit step for a mode of this squared frequency (1/s2): 0.7 of Verlet's limit 2 / omega. */
 double motion_stable_step(double stiffness);
 
-/* SARCINA_NUMERICAL: the springs on a particle need steps shorter than `least` (s); or, whatever the step, it is thrown
- * too far. Both name the cell, the term and the cause. */
-int motion_fail_stiff(motion *mo, size_t particle, double least, diag *d);
+/* The same for splittings with exact damping. They hand on energy that they do not get quite right: where damping takes
+ * long to remove it (a hundred radians of the mode and more) they need finer steps, by the fourth root of that, down to
+ * a quarter. Where damping is faster than the mode they bear longer ones: stable is h^2/2 K < m y coth y, y = k_d h /
+ * 2m, so that h < k_d / k is enough whatever the mass. */
+double motion_careful_step(const motion *mo, double stiffness);
+
+/* Longest explicit step for contacts that may close at any time, whether or not they do now: a step that is too long
+ * for one it enters gains energy there. The limit itself, without a margin; not below a fifth of motion.least: what
+ * does not touch is no reason to refuse a scene. */
+double motion_contact_step(const motion *mo);
+
+/* SARCINA_NUMERICAL: the springs on a particle need steps (`needed`, s) shorter than are taken (motion.least); so does
+ * its damping, which explicit methods follow; or, whatever the step down to `least` (s), it is thrown too far. All name
+ * the cell, the term and the cause. */
+int motion_fail_stiff(motion *mo, size_t particle, double needed, diag *d);
+int motion_fail_damped(motion *mo, size_t particle, diag *d);
 int motion_fail_thrown(motion *mo, size_t particle, double least, diag *d);
 
 #endif

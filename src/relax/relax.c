@@ -97,6 +97,12 @@ static int advance(run *r, diag *d) {
     return SARCINA_OK;
 }
 
+/* The shortest step that a scene may need throughout: 200,000 of them relax a second, or what is less. */
+static double least_step(const relax_goal *goal) {
+    static const double steps = 2e5;
+    return (goal->time < 1 ? goal->time : 1) / steps;
+}
+
 static void report(const motion *mo, relax_result *result) {
     result->time = mo->time;
     result->steps = mo->steps;
@@ -109,7 +115,7 @@ static void report(const motion *mo, relax_result *result) {
 int relax_run(mechanics *m, const relax_settings *how, const relax_goal *goal, relax_result *result, diag *d) {
     relax_result unused;
     run r = {.style = integrator_styles[how->integrator],
-             .mo = {.m = m, .n = mechanics_particles(m), .order = mechanics_order(m)},
+             .mo = {.m = m, .n = mechanics_particles(m), .order = mechanics_order(m), .least = least_step(goal)},
              .how = how,
              .goal = goal,
              .result = result ? result : &unused};

@@ -85,6 +85,24 @@ static archive *state_of(interp *in) {
 
 /* ---- the scene ---- */
 
+/* file NAME ROW | ROW ...: a table for read_data. */
+static int write_file(const char *text) {
+    size_t name = strcspn(text, " ");
+    char *path = alloc_format("%.*s", (int)name, text);
+    FILE *f = fopen(path, "w");
+    for (text += name; f && *text; text += strcspn(text, "|")) {
+        text += strspn(text, " |");
+        fprintf(f, "%.*s\n", (int)strcspn(text, "|"), text);
+    }
+    free(path);
+    return f ? fclose(f) : SARCINA_ERROR;
+}
+
+static int run_line(trial *t, const char *line) {
+    static const char file[] = "file ";
+    return strncmp(line, file, strlen(file)) == 0 ? write_file(line + strlen(file)) : interp_run_line(t->in, line);
+}
+
 static bool open_scene(trial *t) {
     script_host_clear(&t->host);
     t->in = interp_create(&t->host.host);
@@ -92,7 +110,7 @@ static bool open_scene(trial *t) {
     int status = interp_run_line(t->in, accuracy);
     free(accuracy);
     for (size_t i = 0; i + 1 < t->e->nlines && !status; i++) {
-        status = interp_run_line(t->in, t->e->lines[i]);
+        status = run_line(t, t->e->lines[i]);
         if (status)
             fail(t, "'%s' before the line judged: %s", t->e->lines[i], t->host.errors);
     }

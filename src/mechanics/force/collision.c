@@ -224,6 +224,11 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
     }
 }
 
+/* Each of two equal cells sees the other give way. */
+static double contact(const double *p) {
+    return 2 * p[COLLISION_K];
+}
+
 static const param params[] = {
     {"k=1e-10N/m:stiffness(0,)", "spring constant of a contact"},
     {"reach=1.01:number[1,2)", "cells repel nearer than this many mean diameters"},
@@ -245,4 +250,5 @@ const force_style force_collision = {
     .add_chain = add_chain,
     .energy = energy,
     .stiffness = stiffness,
+    .contact = contact,
 };

@@ -87,6 +87,12 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
     }
 }
 
+/* Half the steepest slope, which stands at the clamp alone. */
+static double contact(const double *p) {
+    double d = held(p, 0), k = p[DLVO_KAPPA] * p[DLVO_KAPPA] * repulsion(p, d) - 2 * p[DLVO_CVDW] / (d * d * d);
+    return 0.5 * fabs(k);
+}
+
 static int prepare(const double *p, const force_scene *scene, diag *d) {
     (void)p;
     if (scene->forces->term[FORCE_SUBSTRATUM].on)
@@ -116,4 +122,5 @@ const force_style force_dlvo = {
     .add = add,
     .energy = energy,
     .stiffness = stiffness,
+    .contact = contact,
 };

@@ -35,6 +35,10 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
             *force_spring_add(out) = (stiff_spring){{i}, {{0, 0, 1}}, p[SUBSTRATUM_K], 1};
 }
 
+static double contact(const double *p) {
+    return p[SUBSTRATUM_K];
+}
+
 static const param params[] = {
     {"z=0:length", "height of the plane"},
     {"k=1e-10N/m:stiffness(0,)", "spring constant of the contact"},
@@ -53,4 +57,5 @@ const force_style force_substratum = {
     .add = add,
     .energy = energy,
     .stiffness = stiffness,
+    .contact = contact,
 };

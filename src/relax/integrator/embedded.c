@@ -6,6 +6,7 @@
 #include "base/alloc.h"
 #include "relax/control.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,6 +42,7 @@ typedef struct embedded {
     bool stale;                            /* the first stage does not */
     double *v[STAGES_MAX], *a[STAGES_MAX]; /* derivatives of x and v at the stages (n each) */
     double *trial;                         /* (4 n): x, v and their errors */
+    control_limit limit;
     double *memory;
 } embedded;
 
@@ -52,12 +54,14 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     self->most = how->most;
     self->fixed = how->step;
     self->n = 3 * mo->n;
-    self->memory = alloc_zeroed((2 * STAGES_MAX + 4) * self->n, sizeof *self->memory);
+    self->memory = alloc_zeroed((2 * STAGES_MAX + 5) * self->n, sizeof *self->memory);
     for (size_t i = 0; i < STAGES_MAX; i++) {
         self->v[i] = self->memory + 2 * i * self->n;
         self->a[i] = self->memory + (2 * i + 1) * self->n;
     }
     self->trial = self->memory + 2 * STAGES_MAX * self->n;
+    self->limit.mode = self->trial + 4 * self->n;
+    self->limit.obeyed = self->fixed > 0;
     return self;
 }
 
@@ -96,11 +100,13 @@ static void compute_first_stage(embedded *self, motion *mo) {
     self->stale = false;
 }
 
-static void start(embedded *self, motion *mo) {
+static int start(embedded *self, motion *mo, diag *d) {
+    int status = self->fixed > 0 ? control_look(&self->limit, mo, d) : SARCINA_OK;
     compute_first_stage(self, mo);
     self->h = self->fixed > 0 ? self->fixed
                               : control_first_step(mo, self->a[0], self->tolerance, self->style->order, self->trial);
-    self->started = true;
+    self->started = status == SARCINA_OK;
+    return status;
 }
 
 /* The stages after the first; the last is at the trial state. */
@@ -114,14 +120,19 @@ static void compute_stages(embedded *self, motion *mo, double h) {
     }
 }
 
-/* Error of a trial of length h in tolerances; with a fixed step only whether it is finite. */
+/* Error of a trial of length h in tolerances; with a fixed step only whether it is sane. */
 static double judge(embedded *self, const motion *mo, double h) {
     double *ex = self->trial + 2 * self->n, *ev = ex + self->n;
     int stages = self->table->stages;
     combine(self->n, NULL, h, self->table->e, self->v, stages, ex);
     combine(self->n, NULL, h, self->table->e, self->a, stages, ev);
     double error = motion_error(mo, ex, ev, self->tolerance);
-    return self->fixed > 0 && error < 1e30 ? 0.5 : error;
+    double farthest = self->fixed > 0 ? MOTION_FARTHEST : MOTION_FARTHEST_ESTIMATED;
+    if (!isfinite(error) || !motion_is_sane(mo, self->trial, self->trial + self->n, farthest))
+        return INFINITY;
+    if (self->fixed <= 0)
+        return error;
+    return motion_is_gentle(mo, self->a[0], self->a[stages - 1], NULL, h) ? 0.5 : (double)INFINITY;
 }
 
 static void take(embedded *self, motion *mo, double h, bool last, double t1) {
@@ -134,28 +145,35 @@ static void take(embedded *self, motion *mo, double h, bool last, double t1) {
     self->a[final] = a;
 }
 
+/* The step after an accepted one of length h. One cut short at the end says nothing against the longer one; a fixed one
+ * that was refused is tried at twice its length again. */
+static double next_step(const embedded *self, double h, double factor, bool last) {
+    double next = self->fixed > 0 ? fmin(self->fixed, 2 * h) : h * factor;
+    return last && next < self->h ? self->h : next;
+}
+
 static int step(void *of, motion *mo, double t1, diag *d) {
     embedded *self = of;
-    if (!self->started)
-        start(self, mo);
-    else if (self->stale)
+    int status = self->started ? control_watch(&self->limit, mo, d) : start(self, mo, d);
+    if (status)
+        return status;
+    if (self->stale)
         compute_first_stage(self, mo);
     for (;;) {
         bool last;
-        double h = control_cut(mo, self->h, self->most, t1, &last);
+        double most = control_most(&self->limit, self->most), h = control_cut(mo, self->h, most, t1, &last);
         compute_stages(self, mo, h);
         double error = judge(self, mo, h), factor = control_factor(error, self->style->order);
         if (error < 1) {
             take(self, mo, h, last, t1);
-            /* a step cut short at the end says nothing against the longer one */
-            double next = self->fixed > 0 ? self->fixed : h * factor;
-            self->h = last && next < self->h ? self->h : next;
+            self->h = next_step(self, h, factor, last);
+            control_count(&self->limit, mo, h);
             return SARCINA_OK;
         }
         mo->rejected++;
         self->h = h * factor;
         if (self->h < CONTROL_LEAST_STEP)
-            return motion_fail_thrown(mo, motion_worst(mo, self->trial + 3 * self->n), CONTROL_LEAST_STEP, d);
+            return control_give_up(&self->limit, mo, motion_worst(mo, self->trial + 3 * self->n), d);
     }
 }
 
@@ -169,7 +187,7 @@ const integrator_style integrator_dopri5 = {
     .caps = INTEGRATOR_ADAPTIVE,
     .tolerance = 0.1,
     .method = &dormand_prince,
-    .vectors = 18,
+    .vectors = 19,
     EMBEDDED_FUNCTIONS,
 };
 
@@ -181,6 +199,6 @@ const integrator_style integrator_bs32 = {
     .caps = INTEGRATOR_ADAPTIVE,
     .tolerance = 0.01,
     .method = &bogacki_shampine,
-    .vectors = 18,
+    .vectors = 19,
     EMBEDDED_FUNCTIONS,
 };

@@ -16,8 +16,9 @@ typedef struct stepper {
     const integrator_style *style;
     gsl_odeiv2_step *gsl;
     double tolerance, most, fixed, h;
-    size_t n;                                                  /* 3 x particles */
-    bool started, stale;                                       /* h holds; the slope does not */
+    size_t n;            /* 3 x particles */
+    bool started, stale; /* h holds; the slope does not */
+    control_limit limit;
     double *y, *error, *slope, *next_slope, *scratch, *memory; /* (x, v) and the like (2 n each); scratch (4 n) */
 } stepper;
 
@@ -30,12 +31,14 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     self->n = 3 * mo->n;
     const gsl_odeiv2_step_type *const *type = style->method;
     self->gsl = gsl_odeiv2_step_alloc(*type, 2 * self->n);
-    self->memory = alloc_zeroed(12 * self->n, sizeof *self->memory);
+    self->memory = alloc_zeroed(13 * self->n, sizeof *self->memory);
     self->y = self->memory;
     self->error = self->y + 2 * self->n;
     self->slope = self->error + 2 * self->n;
     self->next_slope = self->slope + 2 * self->n;
     self->scratch = self->next_slope + 2 * self->n;
+    self->limit.mode = self->scratch + 4 * self->n;
+    self->limit.obeyed = self->fixed > 0 || !(style->caps & INTEGRATOR_ADAPTIVE);
     return self;
 }
 
@@ -70,13 +73,23 @@ static int slope_of(double t, const double y[], double dydt[], void *params) {
     return GSL_SUCCESS;
 }
 
-static double first_step(stepper *self, motion *mo) {
+/* The step of a method without control of its own: as told, or as the limit says; where nothing limits it, 1 ms. */
+static double longest(const stepper *self) {
     if (self->fixed > 0)
         return self->fixed;
-    if (self->style->caps & INTEGRATOR_ADAPTIVE)
-        return control_first_step(mo, self->slope + self->n, self->tolerance, self->style->order, self->scratch);
-    double stable = motion_stable_step(mechanics_stiffness(mo->m, mo->x));
-    return isfinite(stable) ? stable : 1e-3;
+    return isfinite(self->limit.step) ? self->limit.step : 1e-3;
+}
+
+static int start(stepper *self, motion *mo, diag *d) {
+    int status = self->limit.obeyed ? control_look(&self->limit, mo, d) : SARCINA_OK;
+    slope_of(mo->time, self->y, self->slope, mo);
+    if (!self->limit.obeyed)
+        self->h = control_first_step(mo, self->slope + self->n, self->tolerance, self->style->order, self->scratch);
+    else
+        self->h = longest(self);
+    self->started = status == SARCINA_OK;
+    self->stale = false;
+    return status;
 }
 
 static void load(const stepper *self, const motion *mo) {
@@ -84,11 +97,13 @@ static void load(const stepper *self, const motion *mo) {
     memcpy(self->y + self->n, mo->v, self->n * sizeof *self->y);
 }
 
-static double judge(const stepper *self, const motion *mo, int status) {
-    if (status || !motion_is_finite(mo, self->y, self->y + self->n))
+static double judge(const stepper *self, const motion *mo, int status, double h) {
+    double farthest = self->limit.obeyed ? MOTION_FARTHEST : MOTION_FARTHEST_ESTIMATED;
+    if (status || !motion_is_sane(mo, self->y, self->y + self->n, farthest))
         return INFINITY;
-    if (self->fixed > 0 || !(self->style->caps & INTEGRATOR_ADAPTIVE))
-        return 0.5;
+    if (self->limit.obeyed)
+        return motion_is_gentle(mo, self->slope + self->n, self->next_slope + self->n, NULL, h) ? 0.5
+                                                                                                : (double)INFINITY;
     return motion_error(mo, self->error, self->error + self->n, self->tolerance);
 }
 
@@ -96,33 +111,31 @@ static int step(void *of, motion *mo, double t1, diag *d) {
     stepper *self = of;
     const gsl_odeiv2_system system = {slope_of, NULL, 2 * self->n, mo};
     load(self, mo);
-    if (!self->started) {
+    int begun = self->started ? control_watch(&self->limit, mo, d) : start(self, mo, d);
+    if (begun)
+        return begun;
+    if (self->stale)
         slope_of(mo->time, self->y, self->slope, mo);
-        self->h = first_step(self, mo);
-        self->started = true;
-    } else if (self->stale) {
-        slope_of(mo->time, self->y, self->slope, mo);
-    }
     self->stale = false;
-    bool controlled = self->fixed <= 0 && self->style->caps & INTEGRATOR_ADAPTIVE;
     for (;;) {
         bool last;
-        double h = control_cut(mo, self->h, self->most, t1, &last);
+        double most = control_most(&self->limit, self->most), h = control_cut(mo, self->h, most, t1, &last);
         int status =
             gsl_odeiv2_step_apply(self->gsl, mo->time, h, self->y, self->error, self->slope, self->next_slope, &system);
-        double error = judge(self, mo, status), factor = control_factor(error, self->style->order);
+        double error = judge(self, mo, status, h), factor = control_factor(error, self->style->order);
         if (error < 1) {
             motion_accept(mo, self->y, self->y + self->n, h, last, t1);
             memcpy(self->slope, self->next_slope, 2 * self->n * sizeof *self->slope);
-            if (controlled && !(last && h * factor < self->h))
-                self->h = h * factor;
+            double next = self->limit.obeyed ? fmin(longest(self), 2 * h) : h * factor;
+            self->h = last && next < self->h ? self->h : next;
+            control_count(&self->limit, mo, h);
             return SARCINA_OK;
         }
         mo->rejected++;
         self->h = h * factor;
         load(self, mo);
         if (self->h < CONTROL_LEAST_STEP)
-            return motion_fail_thrown(mo, motion_worst(mo, self->slope + self->n), CONTROL_LEAST_STEP, d);
+            return control_give_up(&self->limit, mo, motion_worst(mo, self->slope + self->n), d);
     }
 }
 
@@ -134,7 +147,7 @@ const integrator_style integrator_rk4 = {
     .source = "GSL rk4",
     .order = 4,
     .method = &gsl_odeiv2_step_rk4,
-    .vectors = 22,
+    .vectors = 23,
     STEPPER_FUNCTIONS,
 };
 
@@ -146,7 +159,7 @@ const integrator_style integrator_rkf45 = {
     .caps = INTEGRATOR_ADAPTIVE,
     .tolerance = 0.1,
     .method = &gsl_odeiv2_step_rkf45,
-    .vectors = 28,
+    .vectors = 29,
     STEPPER_FUNCTIONS,
 };
 
@@ -158,6 +171,6 @@ const integrator_style integrator_rk8pd = {
     .caps = INTEGRATOR_ADAPTIVE,
     .tolerance = 0.01,
     .method = &gsl_odeiv2_step_rk8pd,
-    .vectors = 42,
+    .vectors = 43,
     STEPPER_FUNCTIONS,
 };

@@ -27,14 +27,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Shortest step that a scene may need throughout, s: 200,000 of them relax one second; and after refusals. */
-static const double least_step = 5e-6, least_refused = 1e-7;
+/* No step is cut to less than this part of the shortest that a scene may need throughout. */
+static const double least_refused = 0.02;
+
+/* Of the step that leaves a margin: up to here a step that the script names is taken (2 / omega is Verlet's limit). */
+static const double furthest = 1.3;
 
 /* Accepted steps between looks at the stiffness, and before a halved step is tried at twice its length. */
 enum { STEPS_BETWEEN_LOOKS = 50, STEPS_TO_RECOVER = 20 };
 
 /* Masses grow by steps of a seventh, up to as much as was measured. */
 static const double heavier_by = 1.15, heaviest = 10;
+/* By this many looks more than the others may find that steps below motion.least are needed: a shock passes. */
+enum { SHORT_LOOKS = 20 };
 
 typedef struct splitting {
     double fixed, most;
@@ -45,12 +50,13 @@ typedef struct splitting {
     size_t n;            /* 3 x particles */
     bool chains;         /* flexible cells fly on their own */
     bool started;
-    bool stale;     /* the force is that of links as they were */
-    double stable;  /* from the stiffness and the particles' own masses (or as told), s */
-    double shorter; /* 1, 1/2, 1/4 ... after refusals */
-    double h;       /* the step: divides the time left evenly */
-    uint64_t left;  /* steps left of it */
-    int since_look, since_refusal;
+    bool stale;      /* the force is that of links as they were */
+    double bearable; /* what the stiffness bears, s */
+    double stable;   /* from the stiffness and the particles' own masses (or as told), s */
+    double shorter;  /* 1, 1/2, 1/4 ... after refusals */
+    double h;        /* the step: divides the time left evenly */
+    uint64_t left;   /* steps left of it */
+    int since_look, since_refusal, short_looks;
     double factors_for[2];         /* the step and growth of masses that the factors hold for */
     double *kick, *decay, *flight; /* h / (2 m) and exp(-g h), for each component (n) */
     double *force, *trial_force, *x, *v, *mode, *memory;
@@ -121,28 +127,6 @@ static const double *force(const void *of) {
     return self->started && !self->stale && !self->chains ? self->force : NULL;
 }
 
-/* Even steps to t1, none longer than the stable one. */
-static void plan(splitting *self, const motion *mo, double t1) {
-    double wanted = self->stable * self->shorter * sqrt(self->heavier), left = t1 - mo->time;
-    self->left = wanted < left ? (uint64_t)ceil(left / wanted * (1 - 1e-12)) : 1;
-    self->h = left / (double)self->left;
-}
-
-/* Takes the step from the stiffness at the present state; false when no step that is worth taking bears it. */
-static bool look(splitting *self, motion *mo, double t1) {
-    self->since_look = 0;
-    self->stable = self->fixed;
-    double bearable = (double)INFINITY;
-    if (self->fixed <= 0) {
-        bearable = motion_stable_step(mechanics_stiffness_outside(mo->m, mo->x, self->mode));
-        self->stable = self->most > 0 && self->most < bearable ? self->most : bearable;
-    }
-    if (!isfinite(self->stable))
-        self->stable = t1 - mo->time;
-    plan(self, mo, t1);
-    return bearable >= least_step;
-}
-
 /* The masses of the time that has come. */
 static void let_fade(splitting *self, const motion *mo) {
     double heavier = self->fades * mo->time;
@@ -150,6 +134,40 @@ static void let_fade(splitting *self, const motion *mo) {
     self->due = heavier < 1 ? heavier_by / self->fades : heavier_by * mo->time;
     if (self->fades <= 0 || heavier >= heaviest)
         self->due = (double)INFINITY;
+}
+
+static void keep_masses(splitting *self) {
+    self->fades = 0;
+    self->heavier = 1;
+    self->due = (double)INFINITY;
+}
+
+/* Even steps to t1, none longer than the stable one. */
+static void plan(splitting *self, const motion *mo, double t1) {
+    double wanted = self->stable * self->shorter * sqrt(self->heavier), left = t1 - mo->time;
+    self->left = wanted < left ? (uint64_t)ceil(left / wanted * (1 - 1e-12)) : 1;
+    self->h = left / (double)self->left;
+}
+
+/* Takes the step from the stiffness at the present state, which also bounds the one that the script names; false when
+ * no step that is worth taking bears it. */
+static bool look(splitting *self, motion *mo, double t1) {
+    self->since_look = 0;
+    double stiffness = mechanics_stiffness_outside(mo->m, mo->x, self->mode);
+    double bearable = motion_careful_step(mo, stiffness);
+    self->bearable = bearable;
+    if (bearable > motion_stable_step(stiffness)) /* inertia limits nothing here */
+        keep_masses(self);
+    double ready = fmin(bearable, motion_contact_step(mo));
+    if (self->fixed > 0)
+        self->stable = fmin(self->fixed, furthest * ready);
+    else
+        self->stable = self->most > 0 && self->most < ready ? self->most : ready;
+    if (!isfinite(self->stable))
+        self->stable = t1 - mo->time;
+    plan(self, mo, t1);
+    self->short_looks += bearable < mo->least ? 1 : self->short_looks > 0 ? -1 : 0;
+    return self->short_looks < SHORT_LOOKS && bearable >= least_refused * mo->least;
 }
 
 static void prepare_factors(splitting *self, const motion *mo) {
@@ -177,18 +195,6 @@ static void prepare_factors(splitting *self, const motion *mo) {
     self->factors_for[1] = self->heavier;
 }
 
-/* Is the trial state finite, with no particle moved by more than half its radius? */
-static bool is_sane(const splitting *self, const motion *mo) {
-    const double *radius = mechanics_radius(mo->m);
-    size_t far = 0;
-    for (size_t p = 0; p < mo->n; p++) {
-        const double *x = self->x + 3 * p, *x0 = mo->x + 3 * p, limit = 0.5 * radius[p];
-        double d[3] = {x[0] - x0[0], x[1] - x0[1], x[2] - x0[2]};
-        far += d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= limit * limit ? 0 : 1;
-    }
-    return far == 0;
-}
-
 /* A kick (weight 1: of half a step) and a flight, of all components; false: refused. That none has gone far along any
  * axis is seen in passing and suffices; else each particle is looked at. */
 static bool fly(splitting *self, const motion *mo, double weight) {
@@ -201,12 +207,21 @@ static bool fly(splitting *self, const motion *mo, double weight) {
                              .force = self->force,
                              .x = self->x,
                              .v = self->v,
-                             .near = 0.5 * self->least_radius / sqrt(3) * (1 - 1e-12)};
+                             .near = MOTION_FARTHEST * self->least_radius / sqrt(3) * (1 - 1e-12)};
     size_t far = mechanics_loops(mo->m)->fly(self->n, &q);
     if (!self->chains)
-        return far == 0 || is_sane(self, mo);
+        return far == 0 || motion_is_sane(mo, self->x, self->v, MOTION_FARTHEST);
     mechanics_flight(mo->m, self->h, self->x, self->v);
-    return is_sane(self, mo);
+    return motion_is_sane(mo, self->x, self->v, MOTION_FARTHEST);
+}
+
+/* The second kick of a step (weight 1: of half of it; 0: none); false: refused. That the force has changed by little
+ * along every axis is seen in passing and suffices. */
+static bool land(splitting *self, const motion *mo, double weight) {
+    const double *before = self->force, *after = self->trial_force;
+    double little = MOTION_GENTLE * self->least_radius / sqrt(3) * (1 - 1e-12) / self->h;
+    size_t jolted = mechanics_loops(mo->m)->kick(self->n, weight, self->kick, before, after, little, self->v);
+    return jolted == 0 || motion_is_gentle(mo, before, after, mechanics_mass(mo->m), self->h / sqrt(self->heavier));
 }
 
 /* One trial of velocity Verlet; false: refused. */
@@ -214,14 +229,7 @@ static bool try_verlet(splitting *self, motion *mo) {
     if (!fly(self, mo, 1))
         return false;
     motion_force_outside(mo, self->x, self->trial_force);
-    return mechanics_loops(mo->m)->kick(self->n, self->kick, self->trial_force, self->v) == 0;
-}
-
-static bool has_finite_force(const splitting *self) {
-    size_t lost = 0;
-    for (size_t i = 0; i < self->n; i++)
-        lost += fabs(self->trial_force[i]) < HUGE_VAL && fabs(self->v[i]) < HUGE_VAL ? 0 : 1;
-    return lost == 0;
+    return land(self, mo, 1);
 }
 
 /* One trial of semi-implicit Euler; false: refused. */
@@ -229,7 +237,7 @@ static bool try_euler(splitting *self, motion *mo) {
     if (!fly(self, mo, 2))
         return false;
     motion_force_outside(mo, self->x, self->trial_force);
-    return has_finite_force(self);
+    return land(self, mo, 0);
 }
 
 static void accept(splitting *self, motion *mo, double t1) {
@@ -261,7 +269,7 @@ static bool begin(splitting *self, motion *mo, double t1) {
     if (self->stale)
         motion_force_outside(mo, mo->x, self->force);
     self->stale = false;
-    if (self->fixed <= 0 && self->since_look >= STEPS_BETWEEN_LOOKS)
+    if (self->since_look >= STEPS_BETWEEN_LOOKS)
         return look(self, mo, t1);
     if (mo->time >= self->due) {
         let_fade(self, mo);
@@ -274,7 +282,7 @@ static bool begin(splitting *self, motion *mo, double t1) {
 
 static int step(splitting *self, motion *mo, double t1, bool (*attempt)(splitting *, motion *), diag *d) {
     if (!begin(self, mo, t1))
-        return motion_fail_stiff(mo, motion_worst(mo, self->mode), least_step, d);
+        return motion_fail_stiff(mo, motion_worst(mo, self->mode), self->bearable, d);
     for (;;) {
         prepare_factors(self, mo);
         if (attempt(self, mo)) {
@@ -284,8 +292,8 @@ static int step(splitting *self, motion *mo, double t1, bool (*attempt)(splittin
         mo->rejected++;
         self->shorter *= 0.5;
         self->since_refusal = 0;
-        if (!(self->stable * self->shorter >= least_refused))
-            return motion_fail_thrown(mo, motion_worst(mo, self->force), least_refused, d);
+        if (!(self->stable * self->shorter >= least_refused * mo->least))
+            return motion_fail_thrown(mo, motion_worst(mo, self->force), least_refused * mo->least, d);
         plan(self, mo, t1);
     }
 }
