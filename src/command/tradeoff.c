@@ -161,14 +161,13 @@ static int check_file(const args *a, const char *name, bool picture, diag *d) {
 /* Words that mean nothing without cycles, and cycles that would all be the same. */
 static int check_cycles(interp *in, const args *a, diag *d) {
     static const char *const words[] = {"seeds", "observe", "margin"};
-    bool cycles = args_int(a, "cycles") > 0;
     for (size_t i = 0; i < TABLE_COUNT(words); i++)
-        if (!cycles && args_given(a, words[i])) {
+        if (!args_given(a, "cycles") && args_given(a, words[i])) {
             diag_error(d, "%s is for what cells do over many cycles, and there are none", words[i]);
             diag_place(d, args_span(a, words[i]));
             return diag_help(d, "tradeoff 1s cycles 10 seeds 5");
         }
-    if (!cycles || read_plan(in, a).grow > 0 || interp_has_open_world(in))
+    if (args_int(a, "cycles") == 0 || read_plan(in, a).grow > 0 || interp_has_open_world(in))
         return SARCINA_OK;
     diag_error(d, "cycles need growth, and nothing is remembered from a run before");
     return diag_help(d, "tradeoff 1s cycles 10 grow 4min");
@@ -192,8 +191,7 @@ static int draw(interp *in, const char *path, const tradeoff_result *r, diag *d)
     return SARCINA_OK;
 }
 
-static int tell(interp *in, const args *a, const tradeoff_result *r, diag *d) {
-    tradeoff_table_print(in, r);
+static int keep(interp *in, const args *a, const tradeoff_result *r, diag *d) {
     int status = args_given(a, "file") ? write_file(args_text(a, "file"), r, d) : SARCINA_OK;
     return !status && args_given(a, "plot") ? draw(in, args_text(a, "plot"), r, d) : status;
 }
@@ -215,8 +213,11 @@ static size_t choose_base(const tradeoff_result *r) {
 static int measure(interp *in, const args *a, tradeoff_result *r, tradeoff_row *rows, observed *o, diag *d) {
     scene *s = interp_scene(in);
     int status = tradeoff_relaxation(s, &r->plan, r->methods, r->n, rows, &r->reference, d);
-    if (status || !r->cycles)
-        return status ? status : tell(in, a, r, d);
+    if (status)
+        return status;
+    tradeoff_table_relaxation(in, r);
+    if (!r->cycles)
+        return keep(in, a, r, d);
     const tradeoff_study study = {.plan = r->plan,
                                   .cycles = r->cycles,
                                   .seeds = (size_t)args_int(a, "seeds"),
@@ -232,7 +233,8 @@ static int measure(interp *in, const args *a, tradeoff_result *r, tradeoff_row *
     r->comparison = all;
     if (!status) {
         tradeoff_compare(&r->runs, r->base, r->margin, all);
-        status = tell(in, a, r, d);
+        tradeoff_table_cycles(in, r);
+        status = keep(in, a, r, d);
     }
     free(all);
     tradeoff_runs_free(&r->runs);

@@ -35,7 +35,7 @@ static void print_row(interp *in, const tradeoff_method *m, const tradeoff_row *
                  *state ? "  " : "", state);
 }
 
-static void print_relaxation(interp *in, const tradeoff_result *r) {
+void tradeoff_table_relaxation(interp *in, const tradeoff_result *r) {
     char grow[64] = "";
     bool chaos = false;
     if (r->plan.grow > 0)
@@ -85,7 +85,7 @@ static void print_comparison(interp *in, const tradeoff_result *r, size_t m, siz
         interp_print(in, "  %-10s %-24s %11.4g %18s  %s", "", name, c->own.mean / divisor, difference, verdict);
 }
 
-static void print_cycles(interp *in, const tradeoff_result *r) {
+void tradeoff_table_cycles(interp *in, const tradeoff_result *r) {
     const tradeoff_runs *runs = &r->runs;
     interp_print(in, "%" PRIu64 " cycles of growth for %g s and relaxation of %g s, %zu seeds", r->cycles, r->plan.grow,
                  r->plan.relax, runs->seeds);
@@ -105,12 +105,6 @@ static void print_cycles(interp *in, const tradeoff_result *r) {
         interp_print(in, "cheapest equivalent preset: %s, with %.3g of the evaluations of %s", r->methods[best].name,
                      (double)runs->cost[best].evaluations / (double)runs->cost[r->base].evaluations,
                      r->methods[r->base].name);
-}
-
-void tradeoff_table_print(interp *in, const tradeoff_result *r) {
-    print_relaxation(in, r);
-    if (r->cycles)
-        print_cycles(in, r);
 }
 
 /* ---- the file ---------------------------------------------------------------------------------------------------- */

@@ -25,7 +25,9 @@ typedef struct tradeoff_result {
     const tradeoff_comparison *comparison; /* (n x nobserved) */
 } tradeoff_result;
 
-void tradeoff_table_print(interp *in, const tradeoff_result *r);
+/* Each as soon as it is known: the cycles may take long. */
+void tradeoff_table_relaxation(interp *in, const tradeoff_result *r);
+void tradeoff_table_cycles(interp *in, const tradeoff_result *r);
 
 /* One row a preset, then one a run and quantity, and one a comparison; SI units, empty where there is nothing. */
 void tradeoff_table_write(FILE *f, const tradeoff_result *r);
