@@ -23,8 +23,15 @@ static int plot_relaxation(const char *path, const tradeoff_result *r, diag *d) 
         names[count] = alloc_format("%s%s", r->methods[i].name, row->state == TRADEOFF_CHAOS ? " (chaos)" : "");
         x[count] = (double)row->cost.evaluations;
         y[count] = dim_from_engine(row->error.rms, DIM_LENGTH);
-        curves[count] = (plot_curve){
-            .name = names[count], .axis = "error (rms)", .d = DIM_LENGTH, .n = 1, .x = &x[count], .y = &y[count]};
+        /* a bar of no length: the mark */
+        curves[count] = (plot_curve){.name = names[count],
+                                     .axis = "error (rms)",
+                                     .d = DIM_LENGTH,
+                                     .n = 1,
+                                     .x = &x[count],
+                                     .y = &y[count],
+                                     .low = &y[count],
+                                     .high = &y[count]};
         count++;
     }
     const plot_diagram p = {.x_name = "force evaluations",
