@@ -171,8 +171,8 @@ typedef struct sample {
 } sample;
 
 /* relax: how long the sample does, s; the times of a whole relaxation follow in proportion. */
-static bool take_sample(scene *s, const forecast_end *end, const forecast_run *run, double n, double relax,
-                        sample *out) {
+static bool take_sample(scene *s, const forecast_end *end, const forecast_run *run, double n, double relax, sample *out,
+                        diag *d) {
     enum { CYCLES = 3 };
     uint64_t before = 0;
     put_sample(s, end, n);
@@ -186,8 +186,8 @@ static bool take_sample(scene *s, const forecast_end *end, const forecast_run *r
             begin = processor_seconds();
             before = s->tally.evaluations;
         }
-        done = (run->grow <= 0 || scene_grow(s, run->grow, NULL) == SARCINA_OK) &&
-               scene_relax(s, relax, 0, &unused, NULL) == SARCINA_OK;
+        done = (run->grow <= 0 || scene_grow(s, run->grow, d) == SARCINA_OK) &&
+               scene_relax(s, relax, 0, &unused, d) == SARCINA_OK;
     }
     size_t integrator = (size_t)integrator_styles[s->relax.integrator]->vectors * 24 * s->colony->particle.count;
     out->cells = (double)s->colony->cell.count;
@@ -208,19 +208,19 @@ typedef struct price {
 } price;
 
 /* From samples of 8 cells and of 64, or of as many as there will be; none takes more than about half a second. */
-static bool measure(scene *s, const forecast_end *end, const forecast_run *run, price *out) {
+static bool measure(scene *s, const forecast_end *end, const forecast_run *run, price *out, diag *d) {
     static const double budget = 0.5, probe = 0.02;
     double n = fmin(8, ceil(end->cells)), relax = fmin(run->relax, probe);
     sample few, many;
-    if (!take_sample(s, end, run, n, relax, &few))
+    if (!take_sample(s, end, run, n, relax, &few, d))
         return false;
     relax = fmin(run->relax, run->relax * budget / fmax(few.seconds, 1e-6));
-    if (!take_sample(s, end, run, n, relax, &few))
+    if (!take_sample(s, end, run, n, relax, &few, d))
         return false;
     *out = (price){0, few.seconds / few.cells, few.evaluations, few.bytes / few.cells};
     if (end->cells < 16 || few.seconds > budget / 8)
         return true;
-    if (!take_sample(s, end, run, fmin(64, end->cells), run->relax, &many))
+    if (!take_sample(s, end, run, fmin(64, end->cells), run->relax, &many, d))
         return false;
     double more = fmax(1, many.cells - few.cells);
     out->per_cell = fmax(0.1 * few.seconds / few.cells, (many.seconds - few.seconds) / more);
@@ -255,11 +255,12 @@ static const double grown = 2;
 static void put_estimate(interp *in, const forecast *f, const forecast_end *end) {
     const forecast_run *run = typical_run(f);
     price cost = {0};
+    diag why = {0};
     struct rusage usage = {0};
     char time[32];
-    if (run && !measure(interp_scene(in), end, run, &cost)) {
-        interp_screen(in, "estimate: %.0f cells after %.0f cycles; a sample of them could not be relaxed",
-                      ceil(end->cells), end->cycles);
+    if (run && !measure(interp_scene(in), end, run, &cost, &why)) {
+        interp_screen(in, "estimate: %.0f cells after %.0f cycles; a sample of them could not be relaxed: %s",
+                      ceil(end->cells), end->cycles, *why.message ? why.message : "no place for it");
         return;
     }
     double share = run && end->relaxations > 0 ? end->relaxed / (end->relaxations * run->relax) : 0;

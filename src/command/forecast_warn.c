@@ -153,8 +153,8 @@ static void warn_filial(const subject *u) {
     for (size_t a = 0; a < species_count(u->s); a++) {
         const link_rule *rule = link_rules_find(&u->s->links, LINK_FILIAL, (int)a, (int)a);
         const species *sp = &u->s->species.list[a];
-        double d = rule ? diameter_of(sp) : (double)NAN;
-        if (!(d > 0))
+        double d = diameter_of(sp);
+        if (!rule || !(d > 0))
             continue;
         double least =
             sp->shape == SHAPE_COCCUS ? rule->p[FILIAL_RATIO] : fmin(rule->p[FILIAL_SHORT], rule->p[FILIAL_LONG]);

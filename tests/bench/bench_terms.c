@@ -2,8 +2,8 @@
 /* bench-terms SCENE SECONDS [+TERM|-TERM]...: relaxes a scene by velocity Verlet with steps of 1 ms. SCENE: cocci or
  * rods, 120 of them that touch, on which collision, damping and, for rods, their springs act; +TERM adds one to that,
  * -TERM takes one out: a force term, filial, stick or anchor (links and their rules), chains (12 flexible cells).
- * +flat, the last: in two dimensions. SECONDS 0: 20 force evaluations at the state as it is. It prints what there was
- * to do, and nothing of time: tests/bench/term_cost counts its instructions. */
+ * +level: every z is 0; +flat, the last word: in two dimensions. SECONDS 0: 20 force evaluations at the state as it is.
+ * It prints what there was to do, and nothing of time: tests/bench/term_cost counts its instructions. */
 #include "packing.h"
 
 #include "mechanics/remodel.h"
@@ -55,7 +55,9 @@ static bool change(packing *p, const char *word, bool rods) {
             add_links(p, (link_kind)kind, rods);
             return true;
         }
-    if (strcmp(word, "+flat") == 0) {
+    if (strcmp(word, "+flat") == 0)
+        return true;
+    if (strcmp(word, "+level") == 0) {
         for (size_t i = 0; i < p->c->particle.count; i++)
             p->c->particle.x[3 * i + 2] = 0;
         return true;
