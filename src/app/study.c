@@ -5,8 +5,11 @@
  *         the ensembles to run: name, script below examples, options, most seeds (0: any), parted by tabs
  *     study -report RUNS SEEDS DATA TEMPLATE RESULTS
  *         from the runs in folder RUNS and the original's data in DATA: RESULTS/RESULTS.md (TEMPLATE filled in),
- *         RESULTS/RESULTS.csv and RESULTS/results/ with the figures; without gnuplot only their data *     study
- * -laws-plan study -laws RUNS RESULTS the same for the study of laws, scripts/laws: RESULTS/laws.txt and laws.csv */
+ *         RESULTS/RESULTS.csv and RESULTS/results/ with the figures; without gnuplot only their data
+ *     study -laws-plan
+ *         the ensembles of the study of laws: cells, name, script, options, seeds
+ *     study -laws RUNS RESULTS
+ *         from their runs: RESULTS/laws.txt and RESULTS/laws.csv (scripts/laws) */
 #include "app/study_cases.h"
 #include "app/study_figure.h"
 #include "app/study_laws.h"
