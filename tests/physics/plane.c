@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two dimensions: the same bits as three have where every z is 0, no z ever, fallback directions in the plane, and a
- * third of the contact kernel's arithmetic less (counted by tests/bench/term_cost). */
+ * third of what contacts do by component less (counted by tests/bench/term_cost). */
 #include "check.h"
 #include "packing.h"
 
