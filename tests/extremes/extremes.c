@@ -3,7 +3,7 @@
  *
  *     extremes FOLDER [TIER]          the cases of FOLDER/cases.tbl up to this tier (SARCINA_TEST_TIER, quick)
  *     extremes FOLDER case ID...      these cases
- *     extremes FOLDER map [TIER]      the same, and writes the map to standard output */
+ *     extremes FOLDER map             the manual's page of them, man/src/sarcina-extremes.7 */
 #include "extremes/judge.h"
 
 #include "base/alloc.h"
@@ -21,6 +21,26 @@ typedef struct tally {
     size_t passed, failed;
     double seconds;
 } tally;
+
+/* What is due of a case, as the run asserts it: presets of which the same is due stand together. */
+static void map_case(const extreme *e) {
+    printf(".It %s\n", e->title);
+    for (size_t p = 0; p < accuracy_preset_count; p++) {
+        const due *d = &e->due[p];
+        bool told = p > 0 && d->refused == d[-1].refused && strcmp(d->clause[0], d[-1].clause[0]) == 0;
+        if (told)
+            continue;
+        size_t last = p;
+        while (last + 1 < accuracy_preset_count && e->due[last + 1].refused == d->refused &&
+               strcmp(e->due[last + 1].clause[0], d->clause[0]) == 0)
+            last++;
+        for (size_t k = p; k <= last && last - p + 1 < accuracy_preset_count; k++)
+            printf("%s%s", accuracy_presets[k].name, k < last ? ", " : ": ");
+        printf("%s", d->refused ? "refused: " : "holds: ");
+        for (int k = 0; k < d->nclauses; k++)
+            printf("%s%s", d->clause[k], k + 1 < d->nclauses ? (d->refused ? " ... " : "; ") : ".\n");
+    }
+}
 
 static void run_case(const extreme *e, tally *t) {
     double seconds = 0;
@@ -79,6 +99,21 @@ static void leave_scratch(char *folder) {
     free(folder);
 }
 
+/* The map of the manual. What it says has been asserted by the run before it: each case came to what was due. */
+static void write_map(const extreme_table *table) {
+    puts("what comes of scenes at the extremes\n.Sh DESCRIPTION\n"
+         "Each of these scenes is run with every preset of\n.Xr sarcina-accuracy 7\n"
+         "by tests/extremes, which asserts what stands here, and from which this page is written.\n"
+         "A scene holds when it comes to its end with every number finite and what is named true (energy: no more of\n"
+         "it, moving and stored, than before; momentum: none in all); or it is refused, with a message that has these\n"
+         "words in it, the scene as after the last whole cycle, and the session able to go on.\n"
+         ".Sh CASES\n.Bl -tag -width Ds");
+    for (size_t i = 0; i < table->n; i++)
+        if (table->list[i].tier <= TIER_FULL)
+            map_case(&table->list[i]);
+    puts(".El");
+}
+
 int main(int argc, char **argv) {
     extreme_table table;
     tally t = {0};
@@ -89,6 +124,11 @@ int main(int argc, char **argv) {
     char *path = alloc_format("%s/cases.tbl", argv[1]);
     int status = table_read(path, &table);
     free(path);
+    if (status == 0 && argc > 2 && strcmp(argv[2], "map") == 0) {
+        write_map(&table);
+        table_free(&table);
+        return 0;
+    }
     char *folder = status ? NULL : enter_scratch();
     for (size_t i = 0; folder && i < table.n; i++)
         if (is_wanted(&table.list[i], argc, argv))
