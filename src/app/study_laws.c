@@ -54,8 +54,8 @@ void study_laws_plan(void) {
     for (size_t i = 0; i < TABLE_COUNT(sizes); i++)
         for (size_t k = 0; k < TABLE_COUNT(laws); k++)
             if (seeds_of(&sizes[i], &laws[k]))
-                printf("%d\t%s\t%s\t-var accuracy balanced -var cycles 200 -var most %d%s\t%ld\n", sizes[i].cells,
-                       laws[k].name, laws[k].script, sizes[i].cells, laws[k].options, seeds_of(&sizes[i], &laws[k]));
+                printf("%d\t%s\t%s\t-var cycles 200 -var most %d%s\t%ld\n", sizes[i].cells, laws[k].name,
+                       laws[k].script, sizes[i].cells, laws[k].options, seeds_of(&sizes[i], &laws[k]));
 }
 
 /* ---- what is measured ---- */
