@@ -324,7 +324,7 @@ size_t signature_forms(const command_table *t, const char *command, const signat
 
 const char *signature_command(const command_table *t, size_t i) {
     for (size_t row = 0; row < t->count; row++) {
-        const signature *first;
+        const signature *first = NULL;
         signature_forms(t, t->list[row].head[0].name, &first, 1);
         if (first == &t->list[row] && i-- == 0)
             return first->head[0].name;
