@@ -38,10 +38,10 @@ typedef struct session {
     double relax_force; /* 1e-21 N; 0: by time */
     dynamic_group *dynamic;
     size_t ndynamic, dynamic_capacity;
-    int group_depth;    /* of dynamic groups that are being looked at within others */
+    int group_depth;           /* of dynamic groups that are being looked at within others */
     struct forecast *forecast; /* of a check; NULL */
-    bool in_every;      /* a command of `run ... every` is running */
-    bool told_replaced; /* that a group was replaced, not added to */
+    bool in_every;             /* a command of `run ... every` is running */
+    bool told_replaced;        /* that a group was replaced, not added to */
 } session;
 
 session *session_of(interp *in);
