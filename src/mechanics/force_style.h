@@ -106,7 +106,7 @@ typedef struct force_style {
     void (*stiffness)(const double *p, const force_frame *at, size_t slot, stiff_list *out);
     void (*stiffness_chain)(const double *p, const force_frame *at, size_t i, stiff_list *out);
     /* Spring constant (pg/s2) that a particle may meet at any time, whether or not it does now; optional. */
-    double (*contact)(const double *p);
+    double (*contact_stiffness)(const double *p);
 } force_style;
 
 /* The records, in the order of force_kind. */

@@ -136,8 +136,8 @@ double mechanics_contact_stiffness(const mechanics *m) {
     for (size_t i = 0; i < m->nparticles; i++)
         lightest = fmin(lightest, m->mass[i]);
     for (int i = 0; i < FORCE_COUNT; i++)
-        if (m->forces.term[i].on && force_styles[i]->contact)
-            k = fmax(k, force_styles[i]->contact(m->forces.term[i].p));
+        if (m->forces.term[i].on && force_styles[i]->contact_stiffness)
+            k = fmax(k, force_styles[i]->contact_stiffness(m->forces.term[i].p));
     return k / lightest;
 }
 

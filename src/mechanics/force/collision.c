@@ -225,7 +225,7 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
 }
 
 /* Each of two equal cells sees the other give way. */
-static double contact(const double *p) {
+static double contact_stiffness(const double *p) {
     return 2 * p[COLLISION_K];
 }
 
@@ -250,5 +250,5 @@ const force_style force_collision = {
     .add_chain = add_chain,
     .energy = energy,
     .stiffness = stiffness,
-    .contact = contact,
+    .contact_stiffness = contact_stiffness,
 };

@@ -88,7 +88,7 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
 }
 
 /* Half the steepest slope, which stands at the clamp alone. */
-static double contact(const double *p) {
+static double contact_stiffness(const double *p) {
     double d = held(p, 0), k = p[DLVO_KAPPA] * p[DLVO_KAPPA] * repulsion(p, d) - 2 * p[DLVO_CVDW] / (d * d * d);
     return 0.5 * fabs(k);
 }
@@ -122,5 +122,5 @@ const force_style force_dlvo = {
     .add = add,
     .energy = energy,
     .stiffness = stiffness,
-    .contact = contact,
+    .contact_stiffness = contact_stiffness,
 };

@@ -35,7 +35,7 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
             *force_spring_add(out) = (stiff_spring){{i}, {{0, 0, 1}}, p[SUBSTRATUM_K], 1};
 }
 
-static double contact(const double *p) {
+static double contact_stiffness(const double *p) {
     return p[SUBSTRATUM_K];
 }
 
@@ -57,5 +57,5 @@ const force_style force_substratum = {
     .add = add,
     .energy = energy,
     .stiffness = stiffness,
-    .contact = contact,
+    .contact_stiffness = contact_stiffness,
 };
