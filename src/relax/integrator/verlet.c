@@ -142,9 +142,14 @@ static void keep_masses(splitting *self) {
     self->due = (double)INFINITY;
 }
 
-/* Even steps to t1, none longer than the stable one. */
+/* Even steps to t1, none longer than the stable one; without an end, that one. */
 static void plan(splitting *self, const motion *mo, double t1) {
     double wanted = self->stable * self->shorter * sqrt(self->heavier), left = t1 - mo->time;
+    if (!isfinite(left)) {
+        self->left = UINT64_MAX;
+        self->h = wanted;
+        return;
+    }
     self->left = wanted < left ? (uint64_t)ceil(left / wanted * (1 - 1e-12)) : 1;
     self->h = left / (double)self->left;
 }
@@ -164,7 +169,7 @@ static bool look(splitting *self, motion *mo, double t1) {
     else
         self->stable = self->most > 0 && self->most < ready ? self->most : ready;
     if (!isfinite(self->stable))
-        self->stable = t1 - mo->time;
+        self->stable = isfinite(t1) ? t1 - mo->time : 1; /* nothing is stiff */
     plan(self, mo, t1);
     self->short_looks += bearable < mo->least ? 1 : self->short_looks > 0 ? -1 : 0;
     return self->short_looks < SHORT_LOOKS && bearable >= least_refused * mo->least;
