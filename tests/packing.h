@@ -179,14 +179,18 @@ static inline uint32_t packing_spring(packing *p, uint32_t cell_a, uint32_t i, u
     return spring;
 }
 
+static inline mechanics_input packing_input(const packing *p, neighbor_method method, int threads) {
+    return (mechanics_input){.colony = p->c,
+                             .species = &p->species,
+                             .forces = &p->forces,
+                             .links = &p->links,
+                             .neighbor = {.skin = -1, .method = method},
+                             .seed = 7,
+                             .threads = threads};
+}
+
 static inline int packing_bind(const packing *p, mechanics *m, neighbor_method method, int threads, diag *d) {
-    const mechanics_input in = {.colony = p->c,
-                                .species = &p->species,
-                                .forces = &p->forces,
-                                .links = &p->links,
-                                .neighbor = {.skin = -1, .method = method},
-                                .seed = 7,
-                                .threads = threads};
+    const mechanics_input in = packing_input(p, method, threads);
     return mechanics_prepare(m, &in, d);
 }
 

@@ -10,14 +10,8 @@
 #include "relax/integrator.h"
 
 static mechanics *bind(const packing *p, bool flat, neighbor_method method) {
-    const mechanics_input in = {.colony = p->c,
-                                .species = &p->species,
-                                .forces = &p->forces,
-                                .links = &p->links,
-                                .neighbor = {.skin = -1, .method = method},
-                                .seed = 7,
-                                .flat = flat,
-                                .threads = 1};
+    mechanics_input in = packing_input(p, method, 1);
+    in.flat = flat;
     mechanics *m = mechanics_create();
     assert_int_equal(mechanics_prepare(m, &in, NULL), SARCINA_OK);
     return m;
