@@ -55,9 +55,9 @@ static vec3 unit(vec3 d) {
     return length > 0 ? vec3_scale(1 / length, d) : vec3_of(0, 0, 0);
 }
 
-/* Three unit vectors at right angles: along a segment, towards where its neighbours (0 0 0: there is none) bend, and
- * across. */
-static void frame_of(vec3 before, vec3 d, vec3 after, vec3 frame[3]) {
+/* Three unit vectors at right angles: along a segment, towards where its neighbours (0 0 0: there is none) bend (on the
+ * straight: to a side), and across. */
+static void frame_of(vec3 before, vec3 d, vec3 after, vec3 side, vec3 frame[3]) {
     frame[0] = unit(d);
     vec3 bend = {0, 0, 0};
     if (vec3_norm(before) > 0)
@@ -65,13 +65,13 @@ static void frame_of(vec3 before, vec3 d, vec3 after, vec3 frame[3]) {
     if (vec3_norm(after) > 0)
         bend = vec3_add(bend, vec3_sub(unit(after), frame[0]));
     bend = vec3_axpy(bend, -vec3_dot(bend, frame[0]), frame[0]);
-    if (!(vec3_norm(bend) > 1e-9)) /* straight: any direction across */
-        bend = vec3_cross(frame[0], fabs(frame[0].x) < 0.5 ? vec3_of(1, 0, 0) : vec3_of(0, 1, 0));
+    if (!(vec3_norm(bend) > 1e-9))
+        bend = vec3_cross(frame[0], side);
     frame[1] = unit(bend);
     frame[2] = vec3_cross(frame[0], frame[1]);
 }
 
-vec3 chain_point(const chain_coil *coil, double arc, const double *x, size_t n, double u) {
+vec3 chain_point(const chain_coil *coil, double arc, const double *x, size_t n, double u, vec3 side) {
     size_t i = u > 0 ? (size_t)u : 0;
     i = i < n - 2 ? i : n - 2;
     double t = u - (double)i;
@@ -86,9 +86,9 @@ vec3 chain_point(const chain_coil *coil, double arc, const double *x, size_t n, 
     for (int k = 0; k < 4; k++)
         places[k] = chain_coil_place(coil, (k - 1) * arc);
     vec3 chord = vec3_sub(places[2], places[1]);
-    frame_of(before, d, after, frame);
+    frame_of(before, d, after, side, frame);
     frame_of(i > 0 ? vec3_sub(places[1], places[0]) : none, chord, i + 2 < n ? vec3_sub(places[3], places[2]) : none,
-             ideal);
+             side, ideal);
     /* how far the helix is off its chord, in the ideal frame and from there in the cell's own */
     vec3 off = vec3_sub(chain_coil_place(coil, t * arc), vec3_axpy(places[1], t, chord));
     for (int k = 0; k < 3; k++)

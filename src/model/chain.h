@@ -40,7 +40,8 @@ void chain_torsion(vec3 a, vec3 b, vec3 c, double *cos_phi, double *sin_phi);
 
 /* The point of the curve through n particles at x (n x 3) that is u segments from the first, u in [0, n - 1]: each
  * segment carries the arc of the rest shape, turned about it to where its neighbours bend; `arc` is its rest length
- * along the curve. Particles of a cell at rest lie on its helix, however few they are. */
-vec3 chain_point(const chain_coil *coil, double arc, const double *x, size_t n, double u);
+ * along the curve. Particles of a cell at rest lie on its helix, however few they are. Where the cell is straight its
+ * helix is turned to the side of `side`, a unit vector. */
+vec3 chain_point(const chain_coil *coil, double arc, const double *x, size_t n, double u, vec3 side);
 
 #endif

@@ -17,6 +17,7 @@ typedef struct original {
     size_t n;
     double arc; /* of a segment at rest, um */
     const double *x, *v;
+    vec3 side; /* to which the coil of a straight one is turned: seeded */
 } original;
 
 /* Velocity at u segments from the first particle. */
@@ -31,7 +32,7 @@ static vec3 velocity_at(const original *o, double u) {
 static void sample(const division_context *x, const original *o, uint32_t cell, double from, double to) {
     for (uint32_t i = 0; i < o->n; i++) {
         double u = i + 1 < o->n ? from + (to - from) * i / (double)(o->n - 1) : to;
-        vec3_store(division_place(x->colony, cell, i), chain_point(o->coil, o->arc, o->x, o->n, u));
+        vec3_store(division_place(x->colony, cell, i), chain_point(o->coil, o->arc, o->x, o->n, u, o->side));
         vec3_store(division_velocity(x->colony, cell, i), velocity_at(o, u));
     }
 }
@@ -43,9 +44,11 @@ void division_halve(const division_context *x, uint32_t mother, uint32_t daughte
     double *copy = alloc_zeroed(6 * n, sizeof *copy);
     memcpy(copy, division_place(c, mother, 0), bytes);
     memcpy(copy + 3 * n, division_velocity(c, mother, 0), bytes);
+    double side[3];
+    rng_direction(rng_get_seed(x->rng), c->cell.id[mother], c->cell.id[daughter], side);
     /* both halves are at their new size: the whole was twice the mother's rest and 2/3 of a diameter long */
     double length = 2 * c->cell.rest[mother] + 2 * c->cell.diameter[mother] / 3, segments = (double)(n - 1);
-    const original o = {&s->coil, n, length / segments, copy, copy + 3 * n};
+    const original o = {&s->coil, n, length / segments, copy, copy + 3 * n, vec3_load(side)};
     double short_of = fmin(0.5 * c->cell.diameter[mother] / length, 0.4) * segments,
            far_from = fmin(0.5 * c->cell.diameter[daughter] / length, 0.4) * segments;
     sample(x, &o, mother, 0, 0.5 * segments - short_of);

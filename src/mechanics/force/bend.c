@@ -28,8 +28,10 @@ static vec3 seeded_normal(const force_frame *at, const chain *c, uint32_t i, vec
     force_direction(at, body_chain_key(c, i - 1), body_chain_key(c, i + 1), u);
     vec3 normal = vec3_cross(a, vec3_load(u));
     double size = vec3_norm(normal);
-    if (!(size > 1e-6 * length))
-        normal = vec3_cross(a, fabs(a.x) < 0.5 * length ? vec3_of(1, 0, 0) : vec3_of(0, 1, 0));
+    if (!(size > 1e-6 * length)) { /* drawn along a: another */
+        force_direction(at, body_chain_key(c, i - 1), body_chain_key(c, i), u);
+        normal = vec3_cross(a, vec3_load(u));
+    }
     return vec3_scale(1 / vec3_norm(normal), normal);
 }
 

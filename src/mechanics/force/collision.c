@@ -196,7 +196,7 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
     return sum;
 }
 
-/* The spring of a contact, its ends shared by the lever rule. */
+/* The spring of a contact, its ends shared by the lever rule; along the direction in which the force acts. */
 static void add_spring(const force_frame *at, size_t slot, uint32_t partner, const contact_result *c, double k,
                        stiff_list *out) {
     const body *pair[2] = {&at->bodies[slot], &at->bodies[partner]};
@@ -204,8 +204,10 @@ static void add_spring(const force_frame *at, size_t slot, uint32_t partner, con
     stiff_spring *spring = force_spring_add(out);
     spring->k = k;
     double length = sqrt(c->square), u[3];
-    for (int i = 0; i < 3; i++)
-        u[i] = length > 0 ? c->delta[i] / length : i == 2;
+    if (length < CONTACT_COINCIDENT)
+        force_direction(at, body_key(pair[0]), body_key(pair[1]), u);
+    for (int i = 0; i < 3 && length >= CONTACT_COINCIDENT; i++)
+        u[i] = c->delta[i] / length;
     for (int side = 0; side < 2; side++) {
         double sign = side ? -1 : 1;
         force_spring_end(spring, pair[side]->first, sign * (1 - place[side]), u);

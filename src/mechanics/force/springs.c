@@ -2,12 +2,21 @@
 /* The springs of links: F on a = k (L - L0) u, u the unit vector from a to b, E = k/2 (L - L0)^2.
  *
  * An anchor holds a particle to a fixed point; a gliding one follows below the particle, so that only z counts. A
- * spring of length zero takes a seeded direction; an anchor of length zero points down, where its kind is made.
+ * spring of length zero takes a seeded direction; an anchor of length zero one of those that point down, to where
+ * anchors are: what it pushes away, it pushes off the substratum. For a gliding one that is straight down.
  * Source: Storck et al. 2014, "Filial, sticking and anchoring links". */
 #include "mechanics/force/forces.h"
 #include "mechanics/spring.h"
 
 #include <math.h>
+
+/* The direction of an anchor that has no length, from its particle. */
+static void anchor_direction(const force_frame *at, bool glides, uint64_t key, double u[3]) {
+    force_direction(at, key, 0, u);
+    u[0] = glides ? 0 : u[0];
+    u[1] = glides ? 0 : u[1];
+    u[2] = glides ? -1 : -fabs(u[2]);
+}
 
 /* Length of the spring that ends at a particle, and its direction from there. */
 static double reach_end(const force_frame *at, const spring_end *end, uint64_t key, uint32_t particle, double u[3]) {
@@ -19,8 +28,10 @@ static double reach_end(const force_frame *at, const spring_end *end, uint64_t k
     bool glides = springs->glides[end->spring];
     double d[3] = {glides ? 0 : anchor[0] - x[0], glides ? 0 : anchor[1] - x[1], anchor[2] - x[2]};
     double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-    for (int i = 0; i < 3; i++)
-        u[i] = length > 0 ? d[i] / length : i == 2 ? -1 : 0;
+    if (length == 0)
+        anchor_direction(at, glides, key, u);
+    for (int i = 0; i < 3 && length > 0; i++)
+        u[i] = d[i] / length;
     return length;
 }
 
