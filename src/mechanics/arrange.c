@@ -21,13 +21,9 @@ void mechanics_arrange(colony *c) {
     for (size_t i = 0; i < n; i++) {
         const double *first = c->particle.x + 3 * (size_t)c->cell.first[i];
         const double *last = first + 3 * ((size_t)c->cell.nparticles[i] - 1);
-        for (int k = 0; k < 3; k++) {
-            capsules[i].x[k] = first[k];
-            capsules[i].d[k] = last[k] - first[k];
-        }
-        capsules[i].radius = 0.5 * c->cell.diameter[i];
+        capsule_set(capsules, i, 3, first, last, 0.5 * c->cell.diameter[i], c->cell.rest[i]);
     }
-    grid_sort(&g, capsules, n);
+    grid_sort(&g, capsules, false, n);
     for (size_t i = 0; i < n; i++)
         rows[i] = g.places[i].index;
     colony_arrange(c, rows, n);

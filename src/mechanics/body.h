@@ -17,6 +17,9 @@
 #define SARCINA_FLEXIBLE 1
 #endif
 
+/* What is compiled for 3 dimensions and for 2: its callers pass them as constants. */
+#define MECHANICS_INLINE static inline __attribute__((always_inline))
+
 typedef struct body {
     uint64_t id;       /* of the cell */
     uint32_t row;      /* cell row in the colony */
@@ -38,6 +41,55 @@ typedef struct capsule {
     double d[3];              /* from the first end to the last; 0 0 0 for a coccus */
     double radius, rest;
 } capsule;
+
+/* The same in the plane. Lists of capsules are of the one or the other. */
+typedef struct flat_capsule {
+    double x[2], d[2], radius, rest;
+} flat_capsule;
+
+static inline size_t capsule_size(bool flat) {
+    return flat ? sizeof(flat_capsule) : sizeof(capsule);
+}
+
+/* A capsule of a list; in the plane with z 0, in *room. */
+static inline const capsule *capsule_get(const void *list, size_t slot, bool flat, capsule *room) {
+    if (!flat)
+        return &((const capsule *)list)[slot];
+    const flat_capsule *c = &((const flat_capsule *)list)[slot];
+    *room = (capsule){{c->x[0], c->x[1], 0}, {c->d[0], c->d[1], 0}, c->radius, c->rest};
+    return room;
+}
+
+/* Single numbers of it, for loops that are compiled for the one and the other. */
+MECHANICS_INLINE double capsule_x(const void *list, size_t slot, int k, int dimensions) {
+    return dimensions > 2 ? ((const capsule *)list)[slot].x[k] : ((const flat_capsule *)list)[slot].x[k];
+}
+MECHANICS_INLINE double capsule_d(const void *list, size_t slot, int k, int dimensions) {
+    return dimensions > 2 ? ((const capsule *)list)[slot].d[k] : ((const flat_capsule *)list)[slot].d[k];
+}
+MECHANICS_INLINE double capsule_radius(const void *list, size_t slot, int dimensions) {
+    return dimensions > 2 ? ((const capsule *)list)[slot].radius : ((const flat_capsule *)list)[slot].radius;
+}
+MECHANICS_INLINE double capsule_rest(const void *list, size_t slot, int dimensions) {
+    return dimensions > 2 ? ((const capsule *)list)[slot].rest : ((const flat_capsule *)list)[slot].rest;
+}
+
+/* Sets it to the segment between two ends. */
+MECHANICS_INLINE void capsule_set(void *list, size_t slot, int dimensions, const double *first, const double *last,
+                                  double radius, double rest) {
+    capsule *c = &((capsule *)list)[slot];
+    flat_capsule *flat = &((flat_capsule *)list)[slot];
+    if (dimensions == 2) {
+        *flat = (flat_capsule){{first[0], first[1]}, {last[0] - first[0], last[1] - first[1]}, radius, rest};
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        c->x[k] = first[k];
+        c->d[k] = last[k] - first[k];
+    }
+    c->radius = radius;
+    c->rest = rest;
+}
 
 /* What tells a particle from all others, the same after any reordering: the key of its random directions. */
 static inline uint64_t body_particle_key(const body *b, uint32_t particle_row) {

@@ -18,35 +18,43 @@ int state_threads(const mechanics *m) {
     return (size_t)m->threads < useful ? m->threads : (int)useful;
 }
 
-static void set_capsule(capsule *c, const body *b, const double *x) {
-    const double *first = x + 3 * (size_t)b->first, *last = first + 3 * (size_t)(b->count - 1);
-    for (int k = 0; k < 3; k++) {
-        c->x[k] = first[k];
-        c->d[k] = last[k] - first[k];
-    }
-    c->radius = b->radius;
-    c->rest = b->rest;
+MECHANICS_INLINE double move_squared(const double *now, const double *then, int dimensions) {
+    double sum = 0;
+    for (int k = 0; k < dimensions; k++)
+        sum += (now[k] - then[k]) * (now[k] - then[k]);
+    return sum;
 }
 
-static double move_squared(const double *now, const double *then) {
-    double d[3] = {now[0] - then[0], now[1] - then[1], now[2] - then[2]};
-    return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-}
-
-/* Capsules at x; whether a particle has left its half of the skin (or is not a number). */
-static bool set_capsules(mechanics *m, const double *x) {
-    double limit = 0.25 * m->skin * m->skin;
-    bool listed = m->listed && m->neighbor.method == NEIGHBOR_CELLS, left = false;
-#pragma omp parallel for num_threads(state_threads(m)) schedule(static) reduction(|| : left)
-    for (size_t slot = 0; slot < m->nbodies; slot++) {
-        const body *b = &m->bodies[slot];
-        set_capsule(&m->capsules[slot], b, x);
+/* Capsules of slots begin ... end - 1 at x; whether a particle of theirs has left its half of the skin (or is not a
+ * number), where they are listed. */
+MECHANICS_INLINE bool set_range(mechanics *m, const double *x, size_t begin, size_t end, bool listed, int dimensions) {
+    const double limit = 0.25 * m->skin * m->skin;
+    const body *bodies = m->bodies;
+    const double *then = m->built_at + 6 * begin;
+    void *capsules = m->capsules;
+    bool left = false;
+    for (size_t slot = begin; slot < end; slot++, then += 6) {
+        const body *b = &bodies[slot];
+        const double *first = x + 3 * (size_t)b->first, *last = first + 3 * (size_t)(b->count - 1);
+        capsule_set(capsules, slot, dimensions, first, last, b->radius, b->rest);
         if (!listed)
             continue;
-        const double *first = x + 3 * (size_t)b->first, *last = first + 3 * (size_t)(b->count - 1);
-        const double *then = m->built_at + 6 * slot;
-        bool stays = move_squared(first, then) <= limit && move_squared(last, then + 3) <= limit;
-        left = left || !stays;
+        if (!(move_squared(first, then, dimensions) <= limit && move_squared(last, then + 3, dimensions) <= limit))
+            left = true;
+    }
+    return left;
+}
+
+/* The same for all. */
+static bool set_capsules(mechanics *m, const double *x) {
+    const bool listed = m->listed && m->neighbor.method == NEIGHBOR_CELLS;
+    const size_t chunks = (m->nbodies + STATE_CHUNK - 1) / STATE_CHUNK;
+    bool left = false;
+#pragma omp parallel for num_threads(state_threads(m)) schedule(static) reduction(|| : left)
+    for (size_t chunk = 0; chunk < chunks; chunk++) {
+        size_t begin = chunk * STATE_CHUNK, end = begin + STATE_CHUNK < m->nbodies ? begin + STATE_CHUNK : m->nbodies;
+        bool away = m->flat ? set_range(m, x, begin, end, listed, 2) : set_range(m, x, begin, end, listed, 3);
+        left = left || away;
     }
     return left;
 }
@@ -69,8 +77,7 @@ static void sort_bodies(mechanics *m, const double *x) {
     m->bodies = m->spare;
     m->spare = swap;
     state_index(m);
-    for (size_t slot = 0; slot < m->nbodies; slot++)
-        set_capsule(&m->capsules[slot], &m->bodies[slot], x);
+    set_capsules(m, x);
 }
 
 static void build(mechanics *m, const double *x) {
@@ -97,7 +104,7 @@ bool state_refresh_pairs(mechanics *m, const double *x) {
     if (m->nbodies > m->capsule_capacity) {
         m->capsule_capacity = m->nbodies + m->nbodies / 2;
         free(m->capsules);
-        m->capsules = alloc_aligned(m->capsule_capacity, sizeof *m->capsules, _Alignof(capsule));
+        m->capsules = alloc_aligned(m->capsule_capacity, capsule_size(m->flat), _Alignof(capsule));
         m->built_at = alloc_resize(m->built_at, 6 * m->capsule_capacity, sizeof *m->built_at);
     }
     bool left = set_capsules(m, x);

@@ -25,7 +25,7 @@ typedef struct force_frame {
     size_t nbodies;
     const double *x, *v;                /* (nparticles x 3), um, um/s; v NULL where damping is left out */
     const double *mass;                 /* (nparticles), pg */
-    const capsule *capsules;            /* (nbodies), of x; NULL without collision */
+    const void *capsules;               /* (nbodies), of x: capsule, or flat_capsule if flat; NULL without collision */
     const struct neighbor *neighbor;    /* NULL without collision */
     const struct spring_index *springs; /* NULL without springs */
     const struct contact_kernel *kernel;
@@ -117,6 +117,11 @@ const force_style *force_find(const char *name);
 
 /* The direction of what has none: a unit vector from the seed and two keys, the opposite for the keys exchanged. */
 void force_direction(const force_frame *at, uint64_t key_a, uint64_t key_b, double u[3]);
+
+/* 3, or 2 in the plane. */
+static inline int force_dimensions(const force_frame *at) {
+    return at->flat ? 2 : 3;
+}
 
 /* Height of the substratum; only with the substratum on. */
 static inline double force_floor(const force_frame *at) {

@@ -49,11 +49,14 @@ static int compare_places(const void *a, const void *b) {
     return p->index < q->index ? -1 : p->index > q->index;
 }
 
-void grid_sort(grid *g, const capsule *capsules, size_t n) {
+void grid_sort(grid *g, const void *capsules, bool flat, size_t n) {
+    g->flat = flat;
     g->n = n;
     g->places = alloc_grow(g->places, &g->places_capacity, n, sizeof *g->places);
-    for (size_t i = 0; i < n; i++)
-        g->places[i] = place_of(&capsules[i], (uint32_t)i);
+    for (size_t i = 0; i < n; i++) {
+        capsule room;
+        g->places[i] = place_of(capsule_get(capsules, i, flat, &room), (uint32_t)i);
+    }
     qsort(g->places, n, sizeof *g->places, compare_places);
 }
 
@@ -77,14 +80,15 @@ static void note_size(grid *g, int32_t level, const grid_box *box) {
         most[k] = box->half[k] > most[k] ? box->half[k] : most[k];
 }
 
-void grid_build(grid *g, const capsule *capsules, double reach, double skin) {
+void grid_build(grid *g, const void *capsules, double reach, double skin) {
     g->boxes = alloc_grow(g->boxes, &g->boxes_capacity, g->n, sizeof *g->boxes);
     g->rows = alloc_grow(g->rows, &g->rows_capacity, g->n, sizeof *g->rows);
     g->nrows = 0;
     g->nlevels = 0;
     for (uint32_t i = 0; i < g->n; i++) {
         const grid_place *p = &g->places[i];
-        g->boxes[i] = box_of(&capsules[i], reach, skin);
+        capsule room;
+        g->boxes[i] = box_of(capsule_get(capsules, i, g->flat, &room), reach, skin);
         note_size(g, p->level, &g->boxes[i]);
         grid_row *last = g->nrows ? &g->rows[g->nrows - 1] : NULL;
         if (!last || compare_bins(last->level, last->z, last->y, p->level, p->z, p->y) != 0)

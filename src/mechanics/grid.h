@@ -35,17 +35,19 @@ typedef struct grid {
     grid_place *places; /* (n), sorted */
     grid_box *boxes;    /* (n), in that order */
     grid_row *rows;     /* (nrows), sorted */
+    bool flat;          /* what kind of capsules */
     size_t n, nrows, places_capacity, boxes_capacity, rows_capacity;
     double most[GRID_LEVELS_MAX][3]; /* largest half sides of each level */
     int32_t levels[GRID_LEVELS_MAX]; /* the levels present */
     int nlevels;
 } grid;
 
-/* Sorts n capsules into places; slots are positions in that order from here on. Memory is kept from build to build. */
-void grid_sort(grid *g, const capsule *capsules, size_t n);
+/* Sorts n capsules (flat_capsule if flat) into places; slots are positions in that order from here on. Memory is kept
+ * from build to build. */
+void grid_sort(grid *g, const void *capsules, bool flat, size_t n);
 
 /* Boxes and rows over the same capsules, now in the grid's order, for pairs nearer than reach (r_A + r_B) + skin. */
-void grid_build(grid *g, const capsule *capsules, double reach, double skin);
+void grid_build(grid *g, const void *capsules, double reach, double skin);
 void grid_free(grid *g);
 
 /* Slots above this one whose boxes meet its own; found is grown as needed. Returns how many. */

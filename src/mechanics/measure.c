@@ -48,7 +48,9 @@ double mechanics_fmax(mechanics *m) {
 
 /* Distance between the axes of two bodies. */
 static double axis_distance(const mechanics *m, size_t slot, uint32_t partner) {
-    const capsule *a = &m->capsules[slot], *b = &m->capsules[partner];
+    capsule room[2];
+    const capsule *a = capsule_get(m->capsules, slot, m->flat, &room[0]);
+    const capsule *b = capsule_get(m->capsules, partner, m->flat, &room[1]);
     contact_pair pair = {.radii = a->radius + b->radius};
     for (int k = 0; k < 3; k++) {
         pair.r[k] = a->x[k] - b->x[k];

@@ -252,7 +252,18 @@ static void bind_rules(mechanics *m) {
     free(present);
 }
 
+/* What was made for the other number of dimensions has rows of another width. */
+static void forget_other_dimensions(mechanics *m, bool flat) {
+    if (m->flat == flat)
+        return;
+    free(m->capsules);
+    m->capsules = NULL;
+    m->capsule_capacity = 0;
+    m->flat = flat;
+}
+
 static void bind(mechanics *m, const mechanics_input *in) {
+    forget_other_dimensions(m, in->flat);
     m->colony = in->colony;
     m->species = in->species;
     m->forces = *in->forces;
@@ -288,7 +299,6 @@ static void bind(mechanics *m, const mechanics_input *in) {
     bool regularised = (contact_law)collision->p[COLLISION_CONTACT] == CONTACT_REGULARISED;
     m->wants_pairs = collision->on;
     m->cocci = m->nparticles == m->nbodies;
-    m->flat = in->flat;
     m->touch = m->reach = collision->on ? collision->p[COLLISION_REACH] : 1;
     if (collision->on && regularised)
         m->reach *= sqrt(1 + 0.25 * collision->p[COLLISION_EPSILON]);

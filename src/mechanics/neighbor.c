@@ -20,9 +20,9 @@ void neighbor_free(neighbor *list) {
     memset(list, 0, sizeof *list);
 }
 
-void neighbor_sort(neighbor *list, const capsule *capsules, size_t n, uint32_t *order) {
+void neighbor_sort(neighbor *list, const void *capsules, size_t n, uint32_t *order) {
     list->n = n;
-    grid_sort(&list->grid, capsules, n);
+    grid_sort(&list->grid, capsules, list->flat, n);
     for (size_t i = 0; i < n; i++)
         order[i] = list->grid.places[i].index;
 }
@@ -54,7 +54,7 @@ void neighbor_pairs(const neighbor *list, const body *bodies, size_t begin, size
 typedef struct gatherer {
     const grid *g;
     const body *bodies; /* NULL: none are joined */
-    const capsule *capsules;
+    const void *capsules;
     const contact_kernel *kernel;
     bool spheres, flat;
     contact_law_values law; /* the published one: distances between axes */
@@ -85,7 +85,9 @@ static void filter(gatherer *w) {
 static void load_candidate(gatherer *w, uint32_t slot, uint32_t partner) {
     if (w->nbatch == KERNEL_BATCH)
         filter(w);
-    const capsule *own = &w->capsules[slot], *other = &w->capsules[partner];
+    capsule room[2];
+    const capsule *own = capsule_get(w->capsules, slot, w->flat, &room[0]);
+    const capsule *other = capsule_get(w->capsules, partner, w->flat, &room[1]);
     kernel_batch *b = &w->batch;
     size_t i = w->nbatch++;
     for (int k = 0; k < 3; k++) {
@@ -206,7 +208,7 @@ static void reserve(neighbor *list) {
     list->by_id = alloc_resize(list->by_id, list->n_capacity, sizeof *list->by_id);
 }
 
-void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules, double reach, int threads,
+void neighbor_build(neighbor *list, const body *bodies, const void *capsules, double reach, int threads,
                     const contact_kernel *kernel) {
     reserve(list);
     for (size_t i = 0; i < list->n; i++)

@@ -40,11 +40,11 @@ typedef struct neighbor {
 void neighbor_free(neighbor *list);
 
 /* Puts n bodies into an order in which those near in space are near in memory: order (n) gets their indices. */
-void neighbor_sort(neighbor *list, const capsule *capsules, size_t n, uint32_t *order);
+void neighbor_sort(neighbor *list, const void *capsules, size_t n, uint32_t *order);
 
 /* Builds the rows for all pairs whose segments are nearer than reach (r_A + r_B) + margin + skin. The bodies and
  * capsules (n) stand in the order that the last neighbor_sort gave. */
-void neighbor_build(neighbor *list, const body *bodies, const capsule *capsules, double reach, int threads,
+void neighbor_build(neighbor *list, const body *bodies, const void *capsules, double reach, int threads,
                     const contact_kernel *kernel);
 
 /* Entries of all rows; where a slot's row begins (of n: the end). */

@@ -120,7 +120,9 @@ static void sift(seeker *s) {
 static void consider(seeker *s, uint32_t slot, uint32_t partner, double form) {
     if (s->nbatch == KERNEL_BATCH)
         sift(s);
-    const capsule *a = &s->m->capsules[slot], *b = &s->m->capsules[partner];
+    capsule room[2];
+    const capsule *a = capsule_get(s->m->capsules, slot, s->m->flat, &room[0]);
+    const capsule *b = capsule_get(s->m->capsules, partner, s->m->flat, &room[1]);
     const body *p = &s->m->bodies[slot], *q = &s->m->bodies[partner];
     kernel_batch *batch = &s->batch;
     size_t i = s->nbatch++;

@@ -49,8 +49,8 @@ struct mechanics {
     bool flat;               /* two dimensions: all lies in a plane of constant z */
 
     /* computed by evaluations */
-    capsule *capsules; /* (nbodies), by slot */
-    double *built_at;  /* (nbodies x 6) both ends when the list was built, by slot */
+    void *capsules;   /* (nbodies), by slot: capsule, or flat_capsule in the plane */
+    double *built_at; /* (nbodies x 6) both ends when the list was built, by slot */
     neighbor neighbor;
     bool listed; /* the list holds for built_at */
     const contact_kernel *kernel;
@@ -67,6 +67,11 @@ bool state_refresh(mechanics *m, const double *x);
 
 /* The same for the pairs of a measure, whether or not a term needs them. */
 bool state_refresh_pairs(mechanics *m, const double *x);
+
+/* 3, or 2 in the plane. */
+static inline int state_dimensions(const mechanics *m) {
+    return m->flat ? 2 : 3;
+}
 
 force_frame state_frame(const mechanics *m, const double *x, const double *v);
 

@@ -9,7 +9,7 @@ void mechanics_memory(const mechanics *m, mechanics_part parts[MECHANICS_PARTS])
                        m->body_capacity * (2 * sizeof *m->bodies + sizeof *m->by_id) +
                        m->particle_capacity * (2 * sizeof(uint32_t) + 5 * sizeof(double))},
         {"chains", m->chain_capacity * sizeof *m->chains + m->share_capacity * sizeof *m->shares},
-        {"capsules", m->capsule_capacity * (sizeof *m->capsules + 6 * sizeof *m->built_at)},
+        {"capsules", m->capsule_capacity * (capsule_size(m->flat) + 6 * sizeof *m->built_at)},
         {"neighbours", list->entries_capacity * 2 * sizeof(uint32_t) +
                            list->n_capacity * (sizeof *list->start + 2 * sizeof(uint32_t)) +
                            list->grid.places_capacity * sizeof *list->grid.places +

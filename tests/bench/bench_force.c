@@ -34,7 +34,8 @@ static packing make_colony(const scene *sc, size_t n) {
 /* Contacts one by one, early out where boxes do not meet: what a program without batches would do. */
 static void add_contact(const force_frame *at, contact_law_values law, size_t owner, uint32_t partner, double *f) {
     bool owner_is_a = at->bodies[owner].id < at->bodies[partner].id;
-    const capsule *a = &at->capsules[owner_is_a ? owner : partner], *b = &at->capsules[owner_is_a ? partner : owner];
+    const capsule *list = at->capsules, *a = &list[owner_is_a ? owner : partner],
+                  *b = &list[owner_is_a ? partner : owner];
     contact_pair pair = {.radii = a->radius + b->radius, .rests = a->rest * b->rest};
     for (int k = 0; k < 3; k++) {
         pair.r[k] = a->x[k] - b->x[k];

@@ -40,16 +40,17 @@ typedef struct kind {
 
 COLLISION_INLINE void load(stream *s, size_t n, kind of) {
     kernel_batch *b = &s->batch;
-    const capsule *capsules = s->at->capsules;
+    const void *capsules = s->at->capsules;
+    const int dimensions = of.dimensions;
     for (size_t i = 0; i < n; i++) {
-        const capsule *p = &capsules[s->first[i] & ~NEIGHBOR_OWN], *q = &capsules[s->second[i]];
+        const size_t p = s->first[i] & ~NEIGHBOR_OWN, q = s->second[i];
         for (int k = 0; k < of.dimensions; k++) {
-            b->r[k][i] = p->x[k] - q->x[k];
-            b->d1[k][i] = p->d[k];
-            b->d2[k][i] = q->d[k];
+            b->r[k][i] = capsule_x(capsules, p, k, dimensions) - capsule_x(capsules, q, k, dimensions);
+            b->d1[k][i] = capsule_d(capsules, p, k, dimensions);
+            b->d2[k][i] = capsule_d(capsules, q, k, dimensions);
         }
-        b->radii[i] = p->radius + q->radius;
-        b->rests[i] = p->rest * q->rest;
+        b->radii[i] = capsule_radius(capsules, p, dimensions) + capsule_radius(capsules, q, dimensions);
+        b->rests[i] = capsule_rest(capsules, p, dimensions) * capsule_rest(capsules, q, dimensions);
         b->side[i] = s->first[i] & NEIGHBOR_OWN ? 1 : -1;
     }
 }
@@ -181,7 +182,9 @@ static contact_result touch_segments(const force_frame *at, contact_law_values l
 }
 
 static contact_result contact_with(const force_frame *at, contact_law_values law, size_t slot, uint32_t partner) {
-    return (at->cocci ? touch_spheres : touch_segments)(at, law, &at->capsules[slot], &at->capsules[partner]);
+    capsule room[2];
+    return (at->cocci ? touch_spheres : touch_segments)(at, law, capsule_get(at->capsules, slot, at->flat, &room[0]),
+                                                        capsule_get(at->capsules, partner, at->flat, &room[1]));
 }
 
 static double energy(const double *p, const force_frame *at, size_t slot) {
