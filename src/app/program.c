@@ -5,6 +5,7 @@
 #include "app/terminal.h"
 #include "base/alloc.h"
 #include "command/commands.h"
+#include "script/source.h"
 
 #include <errno.h>
 #include <gsl/gsl_errno.h>
@@ -182,27 +183,13 @@ static const char *look_up_environment(void *self, const char *name) {
 
 /* ---- life ---- */
 
-/* scripts/lib beside the program's checkout, two folders above BUILD/bin/sarcina; share/sarcina/lib where installed. */
 static char *find_library(void) {
     char path[4096];
     ssize_t n = readlink("/proc/self/exe", path, sizeof path - 1);
     if (n <= 0)
         return NULL;
     path[n] = '\0';
-    for (int up = 0; up < 4; up++) {
-        char *slash = strrchr(path, '/');
-        if (!slash)
-            return NULL;
-        *slash = '\0';
-        static const char *const places[] = {"scripts/lib", "share/sarcina/lib"};
-        for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
-            char *library = alloc_format("%s/%s", path, places[i]);
-            if (access(library, R_OK) == 0)
-                return library;
-            free(library);
-        }
-    }
-    return NULL;
+    return source_library(path);
 }
 
 static int open_outputs(program *p, const options *o, diag *d) {

@@ -6,17 +6,9 @@
 #ifndef SARCINA_BASE_DIAG_H
 #define SARCINA_BASE_DIAG_H
 
-#include <stdint.h>
+#include "sarcina/status.h"
 
-/* The statuses are the program's exit codes. */
-typedef enum {
-    SARCINA_OK = 0,
-    SARCINA_ERROR = 1,     /* the script or the scene is at fault */
-    SARCINA_USAGE = 2,     /* the command line is at fault */
-    SARCINA_NUMERICAL = 3, /* the mechanics could not go on */
-    SARCINA_EXPECT = 4,    /* an expect of the script failed */
-    SARCINA_INTERRUPTED = 130
-} sarcina_status;
+#include <stdint.h>
 
 /* A stretch of one line of a script; lines and columns from 1, columns in bytes. */
 typedef struct span {

@@ -199,12 +199,17 @@ void interp_progress(interp *in, const char *line) {
         in->host->progress(in->host->self, line);
 }
 
+static void tell_host(interp *in, const char *warning) {
+    void (*tell)(void *, const char *) = in->host->warning ? in->host->warning : in->host->error;
+    if (tell)
+        tell(in->host->self, warning);
+}
+
 static void tell_warning(interp *in, const char *message) {
     const source *s = in->at.source;
     char *line = s && *s->name ? alloc_format("%s:%u: warning: %s\n", s->name, in->at.line, message)
                                : alloc_format("warning: %s\n", message);
-    if (in->host->error)
-        in->host->error(in->host->self, line);
+    tell_host(in, line);
     free(line);
 }
 
@@ -239,8 +244,8 @@ void interp_tell_warnings(interp *in) {
         uint64_t more = k->count > WARNINGS_SHOWN ? k->count - WARNINGS_SHOWN : 0;
         char *line = alloc_format("%llu more warning%s of this kind: %s\n", (unsigned long long)more,
                                   more == 1 ? "" : "s", k->first);
-        if (more && in->host->error)
-            in->host->error(in->host->self, line);
+        if (more)
+            tell_host(in, line);
         free(line);
         free(k->first);
     }

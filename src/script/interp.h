@@ -150,7 +150,8 @@ typedef struct interp_host {
     void (*log)(void *self, const char *text);
     bool (*start_log)(void *self);                                       /* see interp_start_log */
     void (*progress)(void *self, const char *line);                      /* see interp_progress; NULL: no terminal */
-    void (*error)(void *self, const char *text);                         /* errors and warnings, laid out */
+    void (*error)(void *self, const char *text);                         /* errors, laid out */
+    void (*warning)(void *self, const char *text);                       /* and warnings; NULL: as errors */
     int (*open_log)(void *self, const char *path, bool append, diag *d); /* path NULL: no log */
     int (*shell)(void *self, const char *command, diag *d);
     const char *(*environment)(void *self, const char *name);
@@ -193,6 +194,10 @@ uint64_t interp_fingerprint(const interp *in);
 /* Runs a script whose check has passed. A failure has been told to host->error; its status returns. */
 int interp_run_file(interp *in, const char *path);
 int interp_run_source(interp *in, const char *name, const char *text);
+
+/* The value of an expression on the scene as it stands, in SI: one number, or one a cell row. A failure has been told
+ * to host->error, with `name` for its place; its status returns. */
+int interp_run_expression(interp *in, const char *name, const char *text, bool per_cell, double *si);
 
 /* Runs one line or block of a prompt; the status returns and a failure has been told. What is no command but an
  * expression has its value printed. */

@@ -76,6 +76,38 @@ bool interp_is_expression(interp *in, const char *text) {
     return is;
 }
 
+static int evaluate_text(interp *in, const source *s, bool per_cell, double *si, diag *d) {
+    piece p = piece_of_source(s);
+    quantity one = {0};
+    dim dimension;
+    reader r;
+    reader_open(&r, in, &p);
+    piece_free(&p);
+    expr *e = expr_read(&r, EXPR_OPEN, d);
+    int status = e ? SARCINA_OK : SARCINA_ERROR;
+    if (e && !reader_at_end(&r))
+        status = diag_error(d, "'%s' is not one expression", s->text);
+    if (!status)
+        status = per_cell ? interp_cells(in, e, si, &dimension, d) : interp_number(in, e, &one, d);
+    if (!status && !per_cell)
+        *si = one.si;
+    if (status)
+        diag_place(d, piece_span(&r.text, 0, r.text.n));
+    expr_free(e);
+    reader_close(&r);
+    return status;
+}
+
+int interp_run_expression(interp *in, const char *name, const char *text, bool per_cell, double *si) {
+    diag d = {0};
+    source *s = source_of_text(name, text);
+    int status = evaluate_text(in, s, per_cell, si, &d);
+    if (status)
+        interp_tell(in, &d);
+    source_free(s);
+    return status;
+}
+
 /* ---- a line ------------------------------------------------------------------------------------------------------ */
 
 static int run_line(interp *in, source *s) {

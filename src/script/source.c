@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 static char *folder_of(const char *path) {
     const char *slash = strrchr(path, '/');
@@ -85,4 +86,22 @@ const char *source_line(const source *s, uint32_t line, size_t *length) {
     if (*length && at[*length - 1] == '\r')
         --*length;
     return at;
+}
+
+char *source_library(const char *program) {
+    static const char *const places[] = {"scripts/lib", "share/sarcina/lib"};
+    enum { FOLDERS_UP = 4 };
+    char *path = alloc_copy(program), *slash, *found = NULL;
+    for (int up = 0; up < FOLDERS_UP && !found && (slash = strrchr(path, '/')); up++) {
+        *slash = '\0';
+        for (size_t i = 0; i < sizeof places / sizeof *places && !found; i++) {
+            char *folder = alloc_format("%s/%s", path, places[i]);
+            if (access(folder, R_OK) == 0)
+                found = folder;
+            else
+                free(folder);
+        }
+    }
+    free(path);
+    return found;
 }

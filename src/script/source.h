@@ -22,6 +22,10 @@ source *source_read(const char *path, diag *d);
 source *source_of_text(const char *name, const char *text);
 void source_free(source *s);
 
+/* The folder of what scripts include, from the path of the program or library: scripts/lib of the checkout that it was
+ * built in, share/sarcina/lib of where it is installed. NULL: there is none. The caller frees. */
+char *source_library(const char *program);
+
 /* Line number `line` (from 1) without its end; *length its bytes; NULL: there is no such line. */
 const char *source_line(const source *s, uint32_t line, size_t *length);
 
