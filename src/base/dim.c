@@ -67,7 +67,22 @@ static int put_factor(char *out, size_t room, const char *unit, int twelfths, co
     return snprintf(out, room, "%s%s^%g", before, unit, twelfths / 12.0);
 }
 
+/* As people of the field write them; what has no such name is in base units. */
+static const struct {
+    const char *text;
+    dim d;
+} written[] = {
+    ENTRY("N", 1, 1, -2),   ENTRY("N/m", 0, 1, -2), ENTRY("J", 2, 1, -2),
+    ENTRY("Pa", -1, 1, -2), ENTRY("J.m", 3, 1, -2),
+};
+enum { WRITTEN_COUNT = sizeof written / sizeof written[0] };
+
 const char *dim_suffix(dim d, char buffer[48]) {
+    for (int i = 0; i < WRITTEN_COUNT; i++)
+        if (dim_equal(written[i].d, d)) {
+            snprintf(buffer, 48, "%s", written[i].text);
+            return buffer;
+        }
     const int exponents[3] = {d.mass, d.length, d.time};
     const char *const units[3] = {"kg", "m", "s"};
     int n = 0;

@@ -47,7 +47,7 @@ const char *dim_listed(size_t i, dim *out);
  * The text is in buffer or constant. */
 const char *dim_name(dim d, char buffer[48]);
 
-/* The dimension in base units as a suffix of a number ("m", "kg/s2", ""), as scripts read it back. */
+/* The dimension in SI as a suffix of a number ("m", "kg/m3", "N/m", ""), as scripts read it back. */
 const char *dim_suffix(dim d, char buffer[48]);
 
 /* A value in SI base units to the engine's units and back: one rounding for powers of ten up to 1e22, two beyond

@@ -102,7 +102,7 @@ int expr_check_formula(interp *in, const expr *e, diag *d);
 /* expr_explain, expr_keep, expr_free, expr_text: interp.h. */
 
 /* As $( ) prints it: 3e-06m, 0.5, text; with a format the bare number in the script's units. NULL on an error; the
- * caller frees. *unknown: what is known of a text not known in a check. */
-char *expr_print(interp *in, const expr *e, const char *format, replacement *unknown, diag *d);
+ * caller frees. *note: what the reader of that text is to know of it. */
+char *expr_print(interp *in, const expr *e, const char *format, replacement *note, diag *d);
 
 #endif

@@ -51,6 +51,29 @@ static node *read_number(expr_parser *p, size_t digits) {
                    call ? "*" : "", call ? (int)letters : 0, r->text.chars + from + digits, call ? "(...)" : "");
         return expr_parser_refuse(p, from, r->at, n);
     }
+    if (letters && *at(p) == '.' && is_letter(at(p)[1])) {
+        size_t more = unit_length(at(p) + 1);
+        diag_error(p->d, "in an expression a number takes one unit: write %.*s*1%.*s", (int)(digits + letters),
+                   r->text.chars + from, (int)more, at(p) + 1);
+        return expr_parser_refuse(p, from, r->at + 1 + more, n);
+    }
+    return n;
+}
+
+/* The number that $ put here, so many characters without its unit: N.s/m, which one wrote by hand would be read as a
+ * quotient, is that of the number. */
+static node *read_quantity(expr_parser *p, size_t digits) {
+    const reader *r = p->r;
+    size_t from = r->at, to = from + digits;
+    uint32_t serial = r->text.marks[from].serial;
+    while (to < reader_end(r) && r->text.marks[to].serial == serial)
+        to++;
+    if (!r->replaced[serial - 1].quantity || to == from + digits)
+        return read_number(p, digits);
+    node *n = expr_parser_node(p, NODE_NUMBER, from, to);
+    n->si = number_read(at(p), digits, 0);
+    n->d = r->replaced[serial - 1].d;
+    expr_parser_take(p, to - from);
     return n;
 }
 
@@ -257,7 +280,9 @@ node *expr_parser_primary(expr_parser *p, op_kind before) {
     if (c && is_unknown(p))
         return read_unknown(p);
     size_t digits = c ? expr_parser_replaced_number(p) : 0;
-    if (!digits && c)
+    if (digits)
+        return read_quantity(p, digits);
+    if (c)
         digits = number_length(at(p), reader_end(p->r) - p->r->at, false);
     if (digits)
         return read_number(p, digits);

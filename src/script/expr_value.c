@@ -38,18 +38,23 @@ static char *print_number(interp *in, const operand *o, const char *format, diag
     return format_number(format, o->one / interp_unit(in, o->d), d);
 }
 
-char *expr_print(interp *in, const expr *e, const char *format, replacement *unknown, diag *d) {
+char *expr_print(interp *in, const expr *e, const char *format, replacement *note, diag *d) {
     evaluation ev = {.in = in, .types_only = in->check.on};
     operand o = {0};
     char *text = NULL;
-    *unknown = (replacement){0};
+    *note = (replacement){0};
     int status = evaluate_whole(&ev, e, false, &o, d);
     if (!status && o.is_text && format) {
         diag_error(d, "a format prints a number, not a text");
     } else if (!status && o.unknown) {
-        *unknown = (replacement){true, !o.is_text && (!o.wild || format), o.wild || format, format ? DIM_NONE : o.d};
+        *note = (replacement){.unknown = true,
+                              .number = !o.is_text && (!o.wild || format),
+                              .wild = o.wild || format,
+                              .d = format ? DIM_NONE : o.d};
         text = alloc_copy("");
     } else if (!status) {
+        note->quantity = !o.is_text && !format;
+        note->d = note->quantity ? o.d : DIM_NONE;
         text = o.is_text ? alloc_copy(o.text) : print_number(in, &o, format, d);
     }
     if (!text)

@@ -19,6 +19,7 @@ typedef struct replacement {
     bool number;  /* unknown, but one number: of dimension d unless wild */
     bool wild;
     dim d;
+    bool quantity; /* known, and one number of dimension d with the unit that format_quantity gives it */
 } replacement;
 
 typedef struct reader {

@@ -53,8 +53,11 @@ static void test_suffixes(void **state) {
     assert_string_equal(dim_suffix(DIM_LENGTH, buffer), "m");
     assert_string_equal(dim_suffix(DIM_AREA, buffer), "m2");
     assert_string_equal(dim_suffix(DIM_RATE, buffer), "/s");
-    assert_string_equal(dim_suffix(DIM_STIFFNESS, buffer), "kg/s2");
-    assert_string_equal(dim_suffix(DIM_FORCE, buffer), "kg.m/s2");
+    assert_string_equal(dim_suffix(DIM_STIFFNESS, buffer), "N/m");
+    assert_string_equal(dim_suffix(DIM_FORCE, buffer), "N");
+    assert_string_equal(dim_suffix(DIM_ENERGY, buffer), "J");
+    assert_string_equal(dim_suffix(DIM(-1, 1, -2), buffer), "Pa");
+    assert_string_equal(dim_suffix(DIM(2, 1, -3), buffer), "kg.m2/s3");
     assert_string_equal(dim_suffix(DIM_DENSITY, buffer), "kg/m3");
     assert_string_equal(dim_suffix(DIM(-1, 0, -1), buffer), "/m/s");
     assert_string_equal(dim_suffix((dim){6, 0, 0}, buffer), "m^0.5");

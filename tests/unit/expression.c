@@ -44,7 +44,7 @@ static void test_values(void **state) {
         {"2*0.4um", "8e-07m"},
         {"1um*2um", "2e-12m2"},
         {"1um/1s", "1e-06m/s"},
-        {"1kg*1m/1s^2", "1kg.m/s2"},
+        {"1kg*1m/1s^2", "1N"},
         {"1/1h", "0.00027777777777777778/s"},
         {"sqrt(4um2)", "2e-06m"},
         {"(8um3)^(1/3) > 1.99um", "1"},
@@ -68,7 +68,7 @@ static void test_values(void **state) {
         {"pi", "3.1415926535897931"},
         {"defined('cells') + defined('nothing')", "1"},
         {"1e3um/1mm", "1"},
-        {"5e-11N/1m", "5e-11kg/s2"},
+        {"5e-11N/1m", "5e-11N/m"},
         {"ternary(cells > 0, 'many', 'none')", "none"},
     };
     script_host h;
@@ -84,6 +84,37 @@ static void test_values(void **state) {
     script_host_close(&h);
 }
 
+static void reads_back(script_host *h, const char *value) {
+    char *text = alloc_format("variable q equal %s\nprint \"$($(q) == q && ${q} == q && -${q}^2 == -q^2) $(2*${q}/q) "
+                              "$(abs(${q}-q) == 0*q)\"\n",
+                              value);
+    const char *got = run(h, text);
+    if (strcmp(got, "1 2 1") != 0)
+        fail_msg("%s: '%s'", value, got);
+    free(text);
+}
+
+/* What $( ) prints of a value is that value where an expression reads it, to the bit, whatever its dimension and
+ * whatever stands around it; so is that of a formula by its name. */
+static void test_read_back(void **state) {
+    static const char *const odd[] = {"(2J)^(1/3)", "1/sqrt(3s)", "7J/1s",    "3/(1m*1s)",
+                                      "-3m/7s",     "1e-30m/3s",  "2Pa*1s/3m"};
+    script_host h;
+    script_host_open(&h);
+    (void)state;
+    dim d;
+    for (size_t i = 0; dim_listed(i, &d); i++) {
+        char *third =
+            alloc_format("(1m^(%d/12))*(1kg^(%d/12))*(1s^(%d/12))/3", (int)d.length, (int)d.mass, (int)d.time);
+        reads_back(&h, third);
+        free(third);
+    }
+    for (size_t i = 0; i < sizeof odd / sizeof *odd; i++)
+        reads_back(&h, odd[i]);
+    assert_string_equal(run(&h, "print '$($(2)um/1um)'\n"), "2"); /* a pure number takes a unit */
+    script_host_close(&h);
+}
+
 static void test_errors(void **state) {
     static const struct {
         const char *expr, *message;
@@ -95,6 +126,7 @@ static void test_errors(void **state) {
         {"max(1 2", "expected ',' or ')'"},
         {"z[1", "this '[' is not closed"},
         {"max(1,)", "expected a value, not ')'"},
+        {"2kg.m2/s2", "in an expression a number takes one unit: write 2kg*1m2"},
         {"1 & 2", "write '&&'"},
         {"1 | 2", "write '||'"},
         {"1 = 2", "write '=='"},
@@ -306,9 +338,9 @@ static void test_columns(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),    cmocka_unit_test(test_errors), cmocka_unit_test(test_bio),
-        cmocka_unit_test(test_variables), cmocka_unit_test(test_random), cmocka_unit_test(test_save),
-        cmocka_unit_test(test_columns),
+        cmocka_unit_test(test_values), cmocka_unit_test(test_read_back), cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_bio),    cmocka_unit_test(test_variables), cmocka_unit_test(test_random),
+        cmocka_unit_test(test_save),   cmocka_unit_test(test_columns),
     };
     return cmocka_run_group_tests_name("expression", tests, NULL, NULL);
 }

@@ -72,7 +72,7 @@ static void test_nothing(void **state) {
 static void test_cocci(void **state) {
     (void)state;
     interp_free(show(balls));
-    shows("force       collision k 1e-10kg/s2 reach 1.01 contact regularised epsilon 0.01\n", true);
+    shows("force       collision k 1e-10N/m reach 1.01 contact regularised epsilon 0.01\n", true);
     shows("not active  internal bend twist springs substratum dlvo damping gravity\n", true);
     shows("contacts    of spheres, kernel ", true);
     shows("steps       not measured yet\n", true);
@@ -83,10 +83,10 @@ static void test_cocci(void **state) {
 static void test_rods(void **state) {
     (void)state;
     interp_free(show(rods));
-    shows("force       internal rod k 5e-11kg/s2\n", true);
+    shows("force       internal rod k 5e-11N/m\n", true);
     shows("not active  bend twist springs collision gravity\n", true);
     shows("contacts    none", true);
-    shows("link        stick rod rod k 1e-11kg/s2 form 5e-07m break 1e-06m handover nearer: 0 links\n", true);
+    shows("link        stick rod rod k 1e-11N/m form 5e-07m break 1e-06m handover nearer: 0 links\n", true);
     shows("remodelling every 0.005s of relaxation\n", true);
     shows("relaxation  verlet, accuracy balanced, steps from the stiffness, at most 0.002s at first, inertia 0.07\n",
           true);
@@ -131,7 +131,7 @@ static void test_measured(void **state) {
     snprintf(script, sizeof script, "%sforce collision\nrelax 1s\n", rods);
     interp_free(show(script));
     shows("force       springs\n", true); /* they stuck */
-    shows("rod rod k 1e-11kg/s2 form 5e-07m break 1e-06m handover nearer: 1 links\n", true);
+    shows("rod rod k 1e-11N/m form 5e-07m break 1e-06m handover nearer: 1 links\n", true);
     shows("force evaluations a relaxation\n", true);
     shows("contacts    of segments, kernel ", true);
     double stages = sum_of("\ntime ", names, sizeof names);
