@@ -72,8 +72,7 @@ static const struct {
     const char *text;
     dim d;
 } written[] = {
-    ENTRY("N", 1, 1, -2),   ENTRY("N/m", 0, 1, -2), ENTRY("J", 2, 1, -2),
-    ENTRY("Pa", -1, 1, -2), ENTRY("J.m", 3, 1, -2),
+    ENTRY("N", 1, 1, -2), ENTRY("N/m", 0, 1, -2), ENTRY("J", 2, 1, -2), ENTRY("Pa", -1, 1, -2), ENTRY("J.m", 3, 1, -2),
 };
 enum { WRITTEN_COUNT = sizeof written / sizeof written[0] };
 

@@ -27,7 +27,7 @@ static void free_session(void *client) {
     free(s->restart.files[1]);
     session_drop_groups(s);
     free(s->dynamic);
-    free(s->forecast);
+    forecast_free(s->forecast);
     past_free(s->past);
     watch_free(s->watch);
     free(s);

@@ -3,6 +3,7 @@
 #include "command/commands.h"
 
 #include "command/cell_file.h"
+#include "command/creation.h"
 #include "command/forecast.h"
 #include "command/session.h"
 
@@ -68,96 +69,55 @@ static int begin(interp *in, const args *a, diag *d) {
     return status;
 }
 
-/* What each way of creating makes of its own arguments. */
-typedef int create(scene *s, const args *a, const placement *p, size_t *created, diag *d);
-
-/* And how many that would be, in a check. */
-typedef double count_of(const args *a);
-
-static double count_single(const args *a) {
-    (void)a;
-    return 1;
-}
-
-static double count_random(const args *a) {
-    return (double)args_int(a, "N");
-}
-
-static double count_grid(const args *a) {
-    return (double)args_int(a, "NX") * (double)args_int(a, "NY") * (double)args_int(a, "NZ");
-}
-
-static int create_with(interp *in, const args *a, create *how, count_of *many, diag *d) {
-    placement p;
+/* In a check nothing is created; the forecast is told. */
+static int create(interp *in, const args *a, creation *c, diag *d) {
     size_t created = 0;
     int status = begin(in, a, d);
     if (!status && interp_checking(in)) {
-        bool known = read_placement(in, a, &p, NULL) == SARCINA_OK;
-        if (known)
-            forecast_create(in, &p, many(a), many == count_single ? args_number(a, "Z") : (double)NAN);
+        if (read_placement(in, a, &c->placement, NULL) == SARCINA_OK)
+            forecast_create(in, c);
         return SARCINA_OK;
     }
     if (!status)
-        status = read_placement(in, a, &p, d);
+        status = read_placement(in, a, &c->placement, d);
     if (status)
         return status;
-    status = how(interp_scene(in), a, &p, &created, d);
+    status = creation_make(interp_scene(in), c, &created, d);
     if (!status)
-        finish(in, a, &p, created);
+        finish(in, a, &c->placement, created);
     return status;
 }
 
-static int create_single(scene *s, const args *a, const placement *p, size_t *created, diag *d) {
-    const double centre[3] = {args_number(a, "X"), args_number(a, "Y"), args_number(a, "Z")};
-    return scene_create_single(s, p, centre, created, d);
+/* -1 is a region that a check does not know. */
+static region region_of(interp *in, const args *a) {
+    int row = args_row(a, "REGION");
+    return row < 0 ? (region){0} : interp_scene(in)->regions.list[row];
 }
 
 static int run_single(interp *in, const args *a, diag *d) {
-    return create_with(in, a, create_single, count_single, d);
-}
-
-static int create_random(scene *s, const args *a, const placement *p, size_t *created, diag *d) {
-    const region *where = &s->regions.list[args_row(a, "REGION")];
-    return scene_create_random(s, p, (size_t)args_int(a, "N"), where, 0, created, d);
+    creation c = {.kind = CREATION_SINGLE, .at = {args_number(a, "X"), args_number(a, "Y"), args_number(a, "Z")}};
+    return create(in, a, &c, d);
 }
 
 static int run_random(interp *in, const args *a, diag *d) {
-    return create_with(in, a, create_random, count_random, d);
-}
-
-static int create_poisson(scene *s, const args *a, const placement *p, size_t *created, diag *d) {
-    const region *where = &s->regions.list[args_row(a, "REGION")];
-    return scene_create_random(s, p, (size_t)args_int(a, "N"), where, args_number(a, "SPACING"), created, d);
+    creation c = {.kind = CREATION_RANDOM, .n = args_int(a, "N"), .where = region_of(in, a)};
+    return create(in, a, &c, d);
 }
 
 static int run_poisson(interp *in, const args *a, diag *d) {
-    return create_with(in, a, create_poisson, count_random, d);
-}
-
-enum { GRID_MAX = 10000000 };
-
-static int create_grid(scene *s, const args *a, const placement *p, size_t *created, diag *d) {
-    const long long n[3] = {args_int(a, "NX"), args_int(a, "NY"), args_int(a, "NZ")};
-    const double step[3] = {args_number(a, "DX"), args_number(a, "DY"), args_number(a, "DZ")};
-    double origin[3];
-    args_vector(a, "origin", origin, 3);
-    if ((double)n[0] * (double)n[1] * (double)n[2] > GRID_MAX)
-        return diag_error(d, "%lld x %lld x %lld cells are more than %d", n[0], n[1], n[2], GRID_MAX);
-    size_t count = (size_t)(n[0] * n[1] * n[2]);
-    cell_row *rows = alloc_zeroed(count, sizeof *rows);
-    for (size_t i = 0; i < count; i++) {
-        const size_t at[3] = {i % (size_t)n[0], i / (size_t)n[0] % (size_t)n[1], i / (size_t)(n[0] * n[1])};
-        rows[i] = (cell_row){.species = p->species, .mass = NAN, .diameter = NAN};
-        for (int k = 0; k < 3; k++)
-            rows[i].centre[k] = origin[k] + (double)at[k] * step[k];
-    }
-    int status = scene_create_rows(s, p, rows, count, created, d);
-    free(rows);
-    return status;
+    creation c = {.kind = CREATION_RANDOM,
+                  .n = args_int(a, "N"),
+                  .spacing = args_number(a, "SPACING"),
+                  .where = region_of(in, a)};
+    return create(in, a, &c, d);
 }
 
 static int run_grid(interp *in, const args *a, diag *d) {
-    return create_with(in, a, create_grid, count_grid, d);
+    creation c = {.kind = CREATION_GRID,
+                  .step = {args_number(a, "DX"), args_number(a, "DY"), args_number(a, "DZ")},
+                  .points = {args_int(a, "NX"), args_int(a, "NY"), args_int(a, "NZ")}};
+    args_vector(a, "origin", c.at, 3);
+    return create(in, a, &c, d);
 }
 
 /* The file may give every cell its mass: only if one lacks it is the command's asked for. */
@@ -166,7 +126,7 @@ static int run_file(interp *in, const args *a, diag *d) {
     size_t count, created;
     int status = begin(in, a, d);
     if (interp_checking(in))
-        forecast_unknown(in);
+        forecast_unknown(in, "cells from files");
     if (status || interp_checking(in))
         return status;
     status = cell_file_read(in, args_text(a, "FILE"), args_row(a, "NAME"), &rows, &count, NULL, d);

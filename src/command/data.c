@@ -44,7 +44,7 @@ static int check_ids(const cell_row *rows, size_t n, diag *d) {
 static int run_read(interp *in, const args *a, diag *d) {
     scene *s = interp_scene(in);
     if (interp_checking(in)) {
-        forecast_unknown(in);
+        forecast_unknown(in, "cells from files");
         return SARCINA_OK;
     }
     if (s->colony->cell.count) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* delete_cells GROUP [where TEST] [probability P | fraction P]. */
 #include "command/commands.h"
+#include "command/forecast.h"
 
 #include "command/session.h"
 
@@ -47,6 +48,8 @@ static void draw_lots(scene *s, bool *flags, double probability, double fraction
 static int run_delete(interp *in, const args *a, diag *d) {
     scene *s = interp_scene(in);
     size_t n = s->colony->cell.count;
+    if (interp_checking(in))
+        forecast_unknown(in, "that cells are deleted");
     if (args_given(a, "probability") && args_given(a, "fraction"))
         return diag_error(d, "probability or fraction, not both");
     bool *flags = alloc_zeroed(n, sizeof *flags), *where = alloc_zeroed(n, sizeof *where);

@@ -2,6 +2,7 @@
 /* dump ID GROUP STYLE N FILE ..., dump ID off, undump, dump_modify, write_dump: forms made from the table of dump
  * styles. */
 #include "command/commands.h"
+#include "command/forecast.h"
 #include "command/output_list.h"
 
 #include "base/alloc.h"
@@ -301,6 +302,8 @@ static int run_write(interp *in, const args *a, diag *d) {
         status = dump_check(args_style(a), args_text(a, "FILE"), true, d);
     if (!status)
         warn_if_missing(in, style);
+    if (!status && interp_checking(in) && style->takes == DUMP_COLOR)
+        forecast_note_picture(in, (double)image.width * (double)image.height);
     if (!status && !interp_checking(in) && !style->missing)
         status = write_now(in, a, columns, n, &image, d);
     if (status)

@@ -206,7 +206,7 @@ void forecast_warn(interp *in, const forecast *f, const forecast_end *end) {
     static void (*const all[])(const subject *u) = {warn_collision, warn_links, warn_substratum, warn_stiffness,
                                                     warn_filial,    warn_break, warn_clamp,      warn_jitter};
     const subject u = {in, interp_scene(in), f, end};
-    if (f->nruns == 0 || end->cycles == 0)
+    if (f->nruns == 0 || end->load.cycles == 0)
         return; /* a part of a script, which others include */
     for (size_t i = 0; i < TABLE_COUNT(all); i++)
         all[i](&u);

@@ -9,21 +9,21 @@
 #include <math.h>
 
 /* In a check: one cycle of that alone. */
-static int forecast_one(interp *in, double grow, double relax) {
-    forecast_note_run(in, &(forecast_run){.cycles = 1, .grow = grow, .relax = relax, .until = INFINITY});
+static int forecast_one(interp *in, double grow, double relax, double force) {
+    forecast_note_run(in, &(forecast_run){.cycles = 1, .grow = grow, .relax = relax, .force = force});
     return SARCINA_OK;
 }
 
 static int run_grow(interp *in, const args *a, diag *d) {
     if (interp_checking(in))
-        return forecast_one(in, args_number(a, "DT"), 0);
+        return forecast_one(in, args_number(a, "DT"), 0, 0);
     return interp_skips_runs(in) ? SARCINA_OK : scene_grow(interp_scene(in), args_number(a, "DT"), d);
 }
 
 static int run_relax(interp *in, const args *a, diag *d) {
     relax_result r = {0};
     if (interp_checking(in))
-        return forecast_one(in, 0, args_number(a, "T"));
+        return forecast_one(in, 0, args_number(a, "T"), 0);
     if (interp_skips_runs(in))
         return SARCINA_OK;
     int status = scene_relax(interp_scene(in), args_number(a, "T"), 0, &r, d);
@@ -39,7 +39,7 @@ static int run_relax_to(interp *in, const args *a, diag *d) {
     relax_result r = {0};
     double within = args_given(a, "within") ? args_number(a, "within") : (double)INFINITY;
     if (interp_checking(in))
-        return forecast_one(in, 0, within);
+        return forecast_one(in, 0, within, args_number(a, "F"));
     if (interp_skips_runs(in))
         return SARCINA_OK;
     int status = scene_relax(interp_scene(in), within, args_number(a, "F"), &r, d);

@@ -31,7 +31,7 @@ static int run_write(interp *in, const args *a, diag *d) {
 static int run_read(interp *in, const args *a, diag *d) {
     const char *file = args_text(a, "FILE");
     if (interp_checking(in))
-        forecast_unknown(in);
+        forecast_unknown(in, "what the restart file holds");
     if (interp_checking(in) && access(file, R_OK) != 0) {
         interp_open_world(in);
         return SARCINA_OK;

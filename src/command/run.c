@@ -188,24 +188,18 @@ static int run_cycles(interp *in, const plan *p, diag *d) {
     return status;
 }
 
-/* In a check: how many cycles there will be. Of the conditions that end a run it knows 'cells > N'. */
+/* In a check: how many cycles there will be. */
 static void forecast_cycles(interp *in, const plan *p) {
     args_cycles_value n = args_cycles(p->a, "N");
-    double until = INFINITY, cycle = p->grow > 0 ? p->grow : p->relax;
-    int used = 0;
-    const char *text = p->until ? expr_text(p->until) : "";
-    if (sscanf(text, "cells > %lf%n", &until, &used) == 1 && !text[used])
-        until += 1;
-    else if (sscanf(text, "cells >= %lf%n", &until, &used) != 1 || text[used])
-        until = INFINITY;
+    double cycle = p->grow > 0 ? p->grow : p->relax;
     forecast_run r = {.cycles = !n.is_time  ? (double)n.cycles
                                 : cycle > 0 ? n.time / cycle
                                             : 0,
                       .grow = p->grow,
                       .relax = p->relax,
-                      .until = until,
-                      .upto = args_given(p->a, "upto"),
-                      .force = p->force > 0};
+                      .force = p->force,
+                      .until = p->until,
+                      .upto = args_given(p->a, "upto")};
     forecast_note_run(in, &r);
 }
 

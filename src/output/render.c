@@ -157,6 +157,10 @@ static rgb look_closely(const renderer *r, int x, int y) {
     return scaled(sum, 1.0 / FINE_SAMPLES);
 }
 
+size_t render_pixel_bytes(void) {
+    return sizeof(sample) + sizeof(*((canvas *)NULL)->pixels);
+}
+
 static void render_pixels(const renderer *r, canvas *out, int threads) {
     int width = out->width, height = out->height;
     sample *all = alloc_zeroed((size_t)width * (size_t)height, sizeof *all);

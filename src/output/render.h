@@ -20,6 +20,7 @@ typedef struct stage {
 } stage;
 
 /* Fills the canvas, whose size is that of the stage's camera. The bits do not depend on the number of threads. */
+size_t render_pixel_bytes(void); /* what a pixel takes while it is drawn */
 int render_stage(const stage *s, canvas *out, int threads, diag *d);
 
 #endif

@@ -51,12 +51,6 @@ static node *read_number(expr_parser *p, size_t digits) {
                    call ? "*" : "", call ? (int)letters : 0, r->text.chars + from + digits, call ? "(...)" : "");
         return expr_parser_refuse(p, from, r->at, n);
     }
-    if (letters && *at(p) == '.' && is_letter(at(p)[1])) {
-        size_t more = unit_length(at(p) + 1);
-        diag_error(p->d, "in an expression a number takes one unit: write %.*s*1%.*s", (int)(digits + letters),
-                   r->text.chars + from, (int)more, at(p) + 1);
-        return expr_parser_refuse(p, from, r->at + 1 + more, n);
-    }
     return n;
 }
 

@@ -151,6 +151,8 @@ static int read_format(reader *r, const char **format, diag *d) {
         diag_error(d, "expected ')', not '%.*s'", n, r->text.chars + w.from);
     if (n >= 2 && (strncmp(r->text.chars + w.from, "and", 3) == 0 || strncmp(r->text.chars + w.from, "or", 2) == 0))
         diag_help(d, "write && for and, || for or");
+    else if (n >= 2 && r->text.chars[w.from] == '.' && isalpha((unsigned char)r->text.chars[w.from + 1]))
+        diag_help(d, "a number of an expression takes one unit: 2N.m is 2N*1m there");
     return refuse(r, w.from, w.to, d);
 }
 

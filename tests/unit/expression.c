@@ -126,7 +126,7 @@ static void test_errors(void **state) {
         {"max(1 2", "expected ',' or ')'"},
         {"z[1", "this '[' is not closed"},
         {"max(1,)", "expected a value, not ')'"},
-        {"2kg.m2/s2", "in an expression a number takes one unit: write 2kg*1m2"},
+        {"2kg.m2/s2", "a number of an expression takes one unit: 2N.m is 2N*1m there"},
         {"1 & 2", "write '&&'"},
         {"1 | 2", "write '||'"},
         {"1 = 2", "write '=='"},
