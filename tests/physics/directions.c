@@ -189,7 +189,8 @@ static void test_straight_coil(void **state) {
     const chain_coil coil = {0.4, 2, false};
     const vec3 side = {0, 1, 0}, turned = {0, 0, 1};
     double x[9] = {0, 0, 0, 0.5, 0, 0, 1, 0, 0}, most = 0;
-    for (double u = 0; u <= 2; u += 0.125) {
+    for (int i = 0; i <= 16; i++) {
+        const double u = 0.125 * i;
         vec3 a = chain_point(&coil, 0.6, x, 3, u, side), b = chain_point(&coil, 0.6, x, 3, u, turned);
         assert_near(b.x, a.x, 1e-15);
         assert_near(b.y, -a.z, 1e-15);

@@ -207,10 +207,10 @@ static void add_spring(const force_frame *at, size_t slot, uint32_t partner, con
     stiff_spring *spring = force_spring_add(out);
     spring->k = k;
     double length = sqrt(c->square), u[3];
+    for (int i = 0; i < 3; i++)
+        u[i] = c->delta[i] / length;
     if (length < CONTACT_COINCIDENT)
         force_direction(at, body_key(pair[0]), body_key(pair[1]), u);
-    for (int i = 0; i < 3 && length >= CONTACT_COINCIDENT; i++)
-        u[i] = c->delta[i] / length;
     for (int side = 0; side < 2; side++) {
         double sign = side ? -1 : 1;
         force_spring_end(spring, pair[side]->first, sign * (1 - place[side]), u);

@@ -28,10 +28,10 @@ static double reach_end(const force_frame *at, const spring_end *end, uint64_t k
     bool glides = springs->glides[end->spring];
     double d[3] = {glides ? 0 : anchor[0] - x[0], glides ? 0 : anchor[1] - x[1], anchor[2] - x[2]};
     double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    for (int i = 0; i < 3; i++)
+        u[i] = d[i] / length;
     if (length == 0)
         anchor_direction(at, glides, key, u);
-    for (int i = 0; i < 3 && length > 0; i++)
-        u[i] = d[i] / length;
     return length;
 }
 
