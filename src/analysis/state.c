@@ -75,3 +75,14 @@ int state_links(const view *v, const bool *members, double *out, diag *d) {
     out[BROKEN] = (double)v->links_broken;
     return SARCINA_OK;
 }
+
+/* Fields in the order of cap_kind; the bare value is their sum. */
+int state_caps(const view *v, const bool *members, double *out, diag *d) {
+    UNUSED(members), UNUSED(d);
+    out[0] = 0;
+    for (int i = 0; i < CAP_COUNT; i++) {
+        out[i + 1] = (double)v->colony->caps[i];
+        out[0] += out[i + 1];
+    }
+    return SARCINA_OK;
+}

@@ -12,6 +12,7 @@ int state_relaxed(const view *v, const bool *members, double *out, diag *d);
 int state_cells(const view *v, const bool *members, double *out, diag *d);
 int state_particles(const view *v, const bool *members, double *out, diag *d);
 int state_links(const view *v, const bool *members, double *out, diag *d);
+int state_caps(const view *v, const bool *members, double *out, diag *d);
 int state_wall(const view *v, const bool *members, double *out, diag *d);
 
 #endif

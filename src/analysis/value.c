@@ -61,6 +61,11 @@ const value_style value_styles[] = {
           "broken:number",
           "number of links between cells and to the substratum; internal: springs inside cells; formed, broken: since "
           "the start"),
+    STATE(caps, "number", "far:number,jolt:number,held:number,unsolved:number,clamped:number,lifted:number",
+          "how often limits on motion were met since the start: steps refused and taken anew, shorter, because a "
+          "particle would have gone too far, or because a force that came to act was too sudden for them; flexible "
+          "cells held back in a step, or taken before their step was solved; particles that relaxations left within "
+          "the clamp of force dlvo; new particles of divisions lifted out of the substratum"),
     STATE(wall, "time", NULL, "seconds of computing"),
     {.name = "fmax",
      .scope = VALUE_STATE,

@@ -65,8 +65,10 @@ static const command_form forms[] = {
     {"grow DT:time[0,)", grow_params, 1, "Every cell grows, and those that are due divide",
      "One growth step, whatever its length: rates are drawn once.", "grow 4min", COMMAND_SHADOW, run_grow, NULL, 0},
     {"relax T:time[0,)", relax_params, 1, "Moves the cells under their forces for a time",
-     "Newton's equations with damping, by the method of 'accuracy' or 'integrator'.", "relax 0.1s", COMMAND_SHADOW,
-     run_relax, NULL, 0},
+     "Newton's equations with damping, by the method of 'accuracy' or 'integrator'. The value caps counts where a "
+     "limit "
+     "held motion back or refused a step.",
+     "relax 0.1s", COMMAND_SHADOW, run_relax, NULL, 0},
     {"relax to F:force(0,)", relax_to_params, TABLE_COUNT(relax_to_params),
      "Moves the cells until their forces are small", "Prints why it stopped.", "relax to 1e-15N within 2s",
      COMMAND_SHADOW, run_relax_to, NULL, 0},

@@ -192,6 +192,9 @@ static void show_relaxation(interp *in, const scene *s, info_put put) {
     else
         put(in, "steps       %.3gs to %.3gs, %.4g force evaluations a relaxation", t->least_step, t->largest_step,
             relaxations ? (double)t->evaluations / (double)relaxations : (double)t->evaluations);
+    char caps[200];
+    cap_describe(s->colony->caps, NULL, sizeof caps, caps);
+    put(in, "limits      %s met", caps);
 }
 
 static void show_contacts(interp *in, const scene *s, bool bound, info_put put) {

@@ -236,7 +236,8 @@ static const param params[] = {
 static const command_form forms[] = {
     {"run N:cycles[0,)", params, TABLE_COUNT(params), "Grows and relaxes in cycles, with the output that is due",
      "Without grow and relax, those of the run before. A cycle happens whole or not at all: after an error or an "
-     "interruption the scene is that of the last whole cycle.",
+     "interruption the scene is that of the last whole cycle. Where a limit held motion back or refused a step (the "
+     "value caps), the log says how often, and 'info scene' of all runs together.",
      "run 3 grow 4min relax 0.1s until thickness > 0.75um every 1 \"print '$(cells) cells'\"\nrun 20min upto relax to "
      "1e-15N within 1s",
      COMMAND_SHADOW, run_run, NULL, 0},

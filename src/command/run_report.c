@@ -13,6 +13,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
 #include <time.h>
 
@@ -37,6 +38,7 @@ static void note_start(scene *s, run_report *r) {
     r->step = s->step;
     r->formed = v.links_formed;
     r->broken = v.links_broken;
+    memcpy(r->caps, s->colony->caps, sizeof r->caps);
     r->wall = scene_clock();
     r->processor = processor_seconds();
 }
@@ -131,6 +133,14 @@ static void put_relaxations(interp *in, const run_report *r, double fmax) {
     interp_log(in, "  Force max = %.6g N", dim_from_engine(fmax, DIM_FORCE));
 }
 
+/* Limits on motion that were met since `from` (CAP_COUNT; NULL: ever); nothing where there is none. */
+static void put_caps(interp *in, const uint64_t *now, const uint64_t *from) {
+    char text[200];
+    cap_describe(now, from, sizeof text, text);
+    if (strcmp(text, "none") != 0)
+        interp_log(in, "  Limits on motion met = %s", text);
+}
+
 /* Median, 99 % and largest of the cells' deepest overlaps; contacts. */
 static void put_contacts(interp *in, const view *v) {
     size_t n = v->colony->cell.count, touching = 0;
@@ -168,6 +178,7 @@ static void put_sections(interp *in, const run_report *r, double wall, uint64_t 
     put_neighbors(in, r, pairs);
     view v = scene_view(s); /* what follows is measured, which is no part of the run */
     put_relaxations(in, r, v.mechanics && v.colony->particle.count ? mechanics_fmax(v.mechanics) : 0);
+    put_caps(in, s->colony->caps, r->caps);
     put_contacts(in, &v);
     put_rest(in, r, &v);
 }
@@ -209,4 +220,5 @@ void run_report_relaxation(interp *in, const relax_result *result) {
     interp_log(in, "Relaxation stats:\n  Stopping criterion = %s\n  Time = %.6g s", why[result->stop], result->time);
     interp_log(in, "  Steps, rejected, force evaluations = %" PRIu64 " %" PRIu64 " %" PRIu64, result->steps,
                result->rejected, result->evaluations);
+    put_caps(in, result->caps, NULL);
 }

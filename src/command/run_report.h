@@ -19,7 +19,7 @@ typedef struct run_report {
     int depth; /* runs under way: commands of `every` may loop */
     scene_timing timing;
     scene_tally tally;
-    uint64_t step, formed, broken;
+    uint64_t step, formed, broken, caps[CAP_COUNT];
     double wall, processor; /* s; clocks of the machine */
 } run_report;
 

@@ -96,6 +96,8 @@ int scene_relax(scene *s, double time, double force, relax_result *result, diag 
         status = check_links(s, d);
     if (status == SARCINA_OK) {
         s->relaxed += result->time;
+        result->caps[CAP_CLAMPED] = mechanics_clamped(s->mechanics);
+        cap_add(s->colony->caps, result->caps);
         note_relaxation(s, &from, result);
     } else {
         snapshot_restore(s, before);

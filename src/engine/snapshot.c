@@ -69,6 +69,25 @@ static int save_column(void *self, const char *table, const char *column, void *
     " particles %zu cells %zu links %zu springs %zu"
 enum { CLOCK_ITEMS = 14 };
 
+/* "far 3 jolt 0 ...": by name, so that files of before a cap was known are read. */
+static void save_caps(const colony *c, archive *a) {
+    char text[64 * CAP_COUNT] = "";
+    size_t used = 0;
+    for (int i = 0; i < CAP_COUNT; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s %" PRIu64 "\n", cap_records[i].name, c->caps[i]);
+    archive_put(a, "caps", text, used);
+}
+
+static void load_caps(colony *c, const archive *a) {
+    const char *text = archive_get(a, "caps", NULL);
+    char name[32];
+    uint64_t hits;
+    for (int n = 0; text && sscanf(text, "%31s %" SCNu64 "%n", name, &hits, &n) == 2; text += n)
+        for (int i = 0; i < CAP_COUNT; i++)
+            if (strcmp(name, cap_records[i].name) == 0)
+                c->caps[i] = hits;
+}
+
 void snapshot_save(scene *s, archive *a) {
     colony *c = s->colony;
     char *clock = alloc_format(CLOCK_FORMAT, s->step, s->growth_steps, s->deletions, s->time, s->relaxed,
@@ -76,6 +95,7 @@ void snapshot_save(scene *s, archive *a) {
                                c->particle.count, c->cell.count, c->link.count, c->spring.count);
     archive_put(a, "clock", clock, strlen(clock));
     free(clock);
+    save_caps(c, a);
     colony_walk(c, save_column, a);
     archive_put(a, "lineage", lineage_pairs(s->dead), 16 * lineage_count(s->dead));
 }
@@ -131,6 +151,7 @@ int snapshot_load(scene *s, const archive *a, diag *d) {
     c->next_link_id = next_link;
     c->links_formed = formed;
     c->links_broken = broken;
+    load_caps(c, a);
     colony_copy(s->colony, c);
     lineage_free(s->dead);
     s->dead = lineage_of_pairs((const void *)pairs, bytes / 16);

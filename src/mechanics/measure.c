@@ -35,6 +35,15 @@ double mechanics_kinetic(mechanics *m, const double *v) {
     return sum;
 }
 
+size_t mechanics_clamped(const mechanics *m) {
+    const force_settings *dlvo = &m->forces.term[FORCE_DLVO];
+    double floor = m->forces.term[FORCE_SUBSTRATUM].p[SUBSTRATUM_Z];
+    size_t count = 0;
+    for (size_t p = 0; dlvo->on && p < m->nparticles; p++)
+        count += m->colony->particle.x[3 * p + 2] - floor - m->radius[p] < dlvo->p[DLVO_CLAMP] / dlvo->p[DLVO_KAPPA];
+    return count;
+}
+
 double mechanics_fmax(mechanics *m) {
     double most = 0;
     mechanics_force_undamped(m, m->colony->particle.x, m->scratch);

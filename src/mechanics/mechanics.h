@@ -61,9 +61,14 @@ void mechanics_force_undamped(mechanics *m, const double *x, double *f);
  * those implicitly: see mechanics_flight. Without flexible cells: the same as mechanics_force_undamped. */
 void mechanics_force_outside(mechanics *m, const double *x, double *f);
 
+/* Flexible cells that a step has held back, and whose step is not solved to its tolerance. */
+typedef struct mechanics_hits {
+    size_t held, unsolved;
+} mechanics_hits;
+
 /* Moves the particles of all flexible cells for h under what acts within their cell and damping, by implicit Euler: x
  * and v (nparticles x 3) become those at the end; others' rows are left alone. No bending is too stiff for any h. */
-void mechanics_flight(mechanics *m, double h, double *x, double *v);
+mechanics_hits mechanics_flight(mechanics *m, double h, double *x, double *v);
 
 /* Are there flexible cells; is a particle one of theirs? */
 bool mechanics_has_chains(const mechanics *m);
@@ -111,6 +116,9 @@ mechanics_culprit mechanics_blame(mechanics *m, const double *x, size_t particle
 /* Energy of one term at x (1e-27 J); 0 for a term that is not active or has none. */
 double mechanics_energy(mechanics *m, force_kind term, const double *x);
 double mechanics_kinetic(mechanics *m, const double *v);
+
+/* Particles that are nearer to the substratum than the clamp of dlvo, where its force is held; 0 without it. */
+size_t mechanics_clamped(const mechanics *m);
 
 /* Largest net force on a particle at the colony's own x, damping left out. */
 double mechanics_fmax(mechanics *m);

@@ -115,6 +115,7 @@ void colony_clear(colony *c) {
         set_count(c, t, 0);
     c->next_cell_id = c->next_link_id = 1;
     c->links_formed = c->links_broken = 0;
+    memset(c->caps, 0, sizeof c->caps);
 }
 
 void colony_resize(colony *c, size_t particles, size_t cells, size_t links, size_t springs) {
@@ -135,6 +136,7 @@ void colony_copy(colony *to, const colony *from) {
     to->next_link_id = from->next_link_id;
     to->links_formed = from->links_formed;
     to->links_broken = from->links_broken;
+    memcpy(to->caps, from->caps, sizeof to->caps);
 }
 
 /* The order of ids stays known: the new cell's is the highest. */

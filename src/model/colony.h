@@ -7,6 +7,8 @@
 #ifndef SARCINA_MODEL_COLONY_H
 #define SARCINA_MODEL_COLONY_H
 
+#include "model/cap.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -56,6 +58,7 @@ typedef struct colony {
     spring_columns spring;
     uint64_t next_cell_id, next_link_id; /* from 1 */
     uint64_t links_formed, links_broken; /* since the beginning: at division or by nearness; by stretching */
+    uint64_t caps[CAP_COUNT];            /* since the beginning: limits on motion that were met */
     uint64_t version;      /* changes with every insertion, deletion and reordering: caches of rows compare it */
     uint64_t cell_version; /* the same of cells alone */
     /* rows in the order of their ids; see colony_by_id */

@@ -36,6 +36,12 @@ void motion_accept(motion *mo, const double *x, const double *v, double h, bool 
         mo->largest_step = h;
 }
 
+void motion_refuse(motion *mo, cap_kind why) {
+    mo->rejected++;
+    if (why < CAP_COUNT)
+        mo->caps[why]++;
+}
+
 double motion_error(const motion *mo, const double *ex, const double *ev, double tolerance) {
     double sum = 0;
     for (size_t i = 0; i < mo->n; i++) {

@@ -17,6 +17,7 @@ typedef struct motion {
     uint64_t steps, rejected, evaluations;
     double least_step, largest_step;
     double least; /* a scene that needs steps below this throughout is refused, s */
+    uint64_t caps[CAP_COUNT];
 } motion;
 
 /* Accelerations a (n x 3) at x, v (n x 3): one evaluation. */
@@ -30,6 +31,9 @@ void motion_force_outside(motion *mo, const double *x, double *f);
 
 /* Takes over a trial state as the present one, h later (at exactly t1 when `last`). */
 void motion_accept(motion *mo, const double *x, const double *v, double h, bool last, double t1);
+
+/* Counts a trial that is not taken: by the cap that refused it; CAP_COUNT: by its error, which is no cap. */
+void motion_refuse(motion *mo, cap_kind why);
 
 /* Root mean square of e / tolerance over all 6 n components of (positions, velocities), in the order of ids. */
 double motion_error(const motion *mo, const double *ex, const double *ev, double tolerance);

@@ -110,6 +110,7 @@ static void report(const motion *mo, relax_result *result) {
     result->evaluations = mo->evaluations;
     result->least_step = mo->least_step;
     result->largest_step = mo->largest_step;
+    cap_add(result->caps, mo->caps);
 }
 
 int relax_run(mechanics *m, const relax_settings *how, const relax_goal *goal, relax_result *result, diag *d) {

@@ -55,7 +55,8 @@ typedef struct relax_result {
     double fmax; /* at the end, 1e-21 N; computed only when goal.force > 0 */
     uint64_t steps, rejected, evaluations;
     double least_step, largest_step;
-    double remodel_seconds; /* wall time of forming and breaking links; without that of neighbour lists */
+    uint64_t caps[CAP_COUNT]; /* limits on motion that were met */
+    double remodel_seconds;   /* wall time of forming and breaking links; without that of neighbour lists */
 } relax_result;
 
 /* Relaxes m's colony (bound by mechanics_prepare), writing its x and v. On SARCINA_NUMERICAL the diag names the cell,

@@ -7,13 +7,13 @@ if exists('b:current_syntax')
 endif
 syntax case match
 
-syntax keyword sarcinaValue age anchored bridging cells cluster clusters compactness contact_clusters
-syntax keyword sarcinaValue contacts coordination defects ellipse energy filaments filial fmax founder
-syntax keyword sarcinaValue fractal fx fy fz generation gyration hull id layering link_age link_strain
-syntax keyword sarcinaValue links mixing nematic orientation outline parent pi quati quatj quatk quatw
-syntax keyword sarcinaValue relaxed segregation shapex shapey shapez speed stage straightness strain
-syntax keyword sarcinaValue stretch stuck thickness time ux uy uz verticalised volume vx vy vz wall x y
-syntax keyword sarcinaValue zmax zmin
+syntax keyword sarcinaValue age anchored bridging caps cells cluster clusters compactness
+syntax keyword sarcinaValue contact_clusters contacts coordination defects ellipse energy filaments
+syntax keyword sarcinaValue filial fmax founder fractal fx fy fz generation gyration hull id layering
+syntax keyword sarcinaValue link_age link_strain links mixing nematic orientation outline parent pi
+syntax keyword sarcinaValue quati quatj quatk quatw relaxed segregation shapex shapey shapez speed stage
+syntax keyword sarcinaValue straightness strain stretch stuck thickness time ux uy uz verticalised
+syntax keyword sarcinaValue volume vx vy vz wall x y zmax zmin
 syntax match sarcinaValue /\<\%(species\)\>/
 
 syntax keyword sarcinaKeyword abs along among angle append approx aspect at axes axis background band bins

@@ -28,8 +28,10 @@ vec3 division_jitter(const division_context *x, const style_choice *rule, uint64
 
 void division_lift(const division_context *x, uint32_t cell, uint32_t i) {
     double *p = division_place(x->colony, cell, i), lowest = x->substratum_z + 0.5 * x->colony->cell.diameter[cell];
-    if (x->substratum && p[2] < lowest)
-        p[2] = lowest;
+    if (!x->substratum || p[2] >= lowest)
+        return;
+    p[2] = lowest;
+    x->colony->caps[CAP_LIFTED]++;
 }
 
 void division_part(const division_context *x, uint32_t mother, uint32_t daughter, vec3 u) {

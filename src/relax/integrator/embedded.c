@@ -120,16 +120,19 @@ static void compute_stages(embedded *self, motion *mo, double h) {
     }
 }
 
-/* Error of a trial of length h in tolerances; with a fixed step only whether it is sane. */
-static double judge(embedded *self, const motion *mo, double h) {
+/* Error of a trial of length h in tolerances; with a fixed step only whether it is sane. *met: the cap that refuses it.
+ */
+static double judge(embedded *self, const motion *mo, double h, cap_kind *met) {
     double *ex = self->trial + 2 * self->n, *ev = ex + self->n;
     int stages = self->table->stages;
     combine(self->n, NULL, h, self->table->e, self->v, stages, ex);
     combine(self->n, NULL, h, self->table->e, self->a, stages, ev);
     double error = motion_error(mo, ex, ev, self->tolerance);
     double farthest = self->fixed > 0 ? MOTION_FARTHEST : MOTION_FARTHEST_ESTIMATED;
+    *met = CAP_FAR;
     if (!isfinite(error) || !motion_is_sane(mo, self->trial, self->trial + self->n, farthest))
         return INFINITY;
+    *met = self->fixed > 0 ? CAP_JOLT : CAP_COUNT;
     if (self->fixed <= 0)
         return error;
     return motion_is_gentle(mo, self->a[0], self->a[stages - 1], NULL, h) ? 0.5 : (double)INFINITY;
@@ -163,14 +166,15 @@ static int step(void *of, motion *mo, double t1, diag *d) {
         bool last;
         double most = control_most(&self->limit, self->most), h = control_cut(mo, self->h, most, t1, &last);
         compute_stages(self, mo, h);
-        double error = judge(self, mo, h), factor = control_factor(error, self->style->order);
+        cap_kind met;
+        double error = judge(self, mo, h, &met), factor = control_factor(error, self->style->order);
         if (error < 1) {
             take(self, mo, h, last, t1);
             self->h = next_step(self, h, factor, last);
             control_count(&self->limit, mo, h);
             return SARCINA_OK;
         }
-        mo->rejected++;
+        motion_refuse(mo, met);
         self->h = h * factor;
         if (self->h < CONTROL_LEAST_STEP)
             return control_give_up(&self->limit, mo, motion_worst(mo, self->trial + 3 * self->n), d);

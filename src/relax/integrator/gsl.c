@@ -97,10 +97,13 @@ static void load(const stepper *self, const motion *mo) {
     memcpy(self->y + self->n, mo->v, self->n * sizeof *self->y);
 }
 
-static double judge(const stepper *self, const motion *mo, int status, double h) {
+/* Error of a trial in tolerances; where a limit is obeyed only whether it is sane. *met: the cap that refuses it. */
+static double judge(const stepper *self, const motion *mo, int status, double h, cap_kind *met) {
     double farthest = self->limit.obeyed ? MOTION_FARTHEST : MOTION_FARTHEST_ESTIMATED;
+    *met = CAP_FAR;
     if (status || !motion_is_sane(mo, self->y, self->y + self->n, farthest))
         return INFINITY;
+    *met = self->limit.obeyed ? CAP_JOLT : CAP_COUNT;
     if (self->limit.obeyed)
         return motion_is_gentle(mo, self->slope + self->n, self->next_slope + self->n, NULL, h) ? 0.5
                                                                                                 : (double)INFINITY;
@@ -122,7 +125,8 @@ static int step(void *of, motion *mo, double t1, diag *d) {
         double most = control_most(&self->limit, self->most), h = control_cut(mo, self->h, most, t1, &last);
         int status =
             gsl_odeiv2_step_apply(self->gsl, mo->time, h, self->y, self->error, self->slope, self->next_slope, &system);
-        double error = judge(self, mo, status, h), factor = control_factor(error, self->style->order);
+        cap_kind met;
+        double error = judge(self, mo, status, h, &met), factor = control_factor(error, self->style->order);
         if (error < 1) {
             motion_accept(mo, self->y, self->y + self->n, h, last, t1);
             memcpy(self->slope, self->next_slope, 2 * self->n * sizeof *self->slope);
@@ -131,7 +135,7 @@ static int step(void *of, motion *mo, double t1, diag *d) {
             control_count(&self->limit, mo, h);
             return SARCINA_OK;
         }
-        mo->rejected++;
+        motion_refuse(mo, met);
         self->h = h * factor;
         load(self, mo);
         if (self->h < CONTROL_LEAST_STEP)

@@ -57,6 +57,7 @@ typedef struct splitting {
     double h;        /* the step: divides the time left evenly */
     uint64_t left;   /* steps left of it */
     int since_look, since_refusal, short_looks;
+    mechanics_hits hits;           /* of the trial */
     double factors_for[2];         /* the step and growth of masses that the factors hold for */
     double *kick, *decay, *flight; /* h / (2 m) and exp(-g h), for each component (n) */
     double *force, *trial_force, *x, *v, *mode, *memory;
@@ -216,7 +217,7 @@ static bool fly(splitting *self, const motion *mo, double weight) {
     size_t far = mechanics_loops(mo->m)->fly(self->n, &q);
     if (!self->chains)
         return far == 0 || motion_is_sane(mo, self->x, self->v, MOTION_FARTHEST);
-    mechanics_flight(mo->m, self->h, self->x, self->v);
+    self->hits = mechanics_flight(mo->m, self->h, self->x, self->v);
     return motion_is_sane(mo, self->x, self->v, MOTION_FARTHEST);
 }
 
@@ -229,24 +230,26 @@ static bool land(splitting *self, const motion *mo, double weight) {
     return jolted == 0 || motion_is_gentle(mo, before, after, mechanics_mass(mo->m), self->h / sqrt(self->heavier));
 }
 
-/* One trial of velocity Verlet; false: refused. */
-static bool try_verlet(splitting *self, motion *mo) {
+/* One trial of velocity Verlet: what refuses it; CAP_COUNT: nothing. */
+static cap_kind try_verlet(splitting *self, motion *mo) {
     if (!fly(self, mo, 1))
-        return false;
+        return CAP_FAR;
     motion_force_outside(mo, self->x, self->trial_force);
-    return land(self, mo, 1);
+    return land(self, mo, 1) ? CAP_COUNT : CAP_JOLT;
 }
 
-/* One trial of semi-implicit Euler; false: refused. */
-static bool try_euler(splitting *self, motion *mo) {
+/* The same of semi-implicit Euler. */
+static cap_kind try_euler(splitting *self, motion *mo) {
     if (!fly(self, mo, 2))
-        return false;
+        return CAP_FAR;
     motion_force_outside(mo, self->x, self->trial_force);
-    return land(self, mo, 0);
+    return land(self, mo, 0) ? CAP_COUNT : CAP_JOLT;
 }
 
 static void accept(splitting *self, motion *mo, double t1) {
     motion_accept(mo, self->x, self->v, self->h, self->left == 1, t1);
+    mo->caps[CAP_HELD] += self->hits.held;
+    mo->caps[CAP_UNSOLVED] += self->hits.unsolved;
     double *swap = self->force;
     self->force = self->trial_force;
     self->trial_force = swap;
@@ -285,16 +288,17 @@ static bool begin(splitting *self, motion *mo, double t1) {
     return true;
 }
 
-static int step(splitting *self, motion *mo, double t1, bool (*attempt)(splitting *, motion *), diag *d) {
+static int step(splitting *self, motion *mo, double t1, cap_kind (*attempt)(splitting *, motion *), diag *d) {
     if (!begin(self, mo, t1))
         return motion_fail_stiff(mo, motion_worst(mo, self->mode), self->bearable, d);
     for (;;) {
         prepare_factors(self, mo);
-        if (attempt(self, mo)) {
+        cap_kind met = attempt(self, mo);
+        if (met == CAP_COUNT) {
             accept(self, mo, t1);
             return SARCINA_OK;
         }
-        mo->rejected++;
+        motion_refuse(mo, met);
         self->shorter *= 0.5;
         self->since_refusal = 0;
         if (!(self->stable * self->shorter >= least_refused * mo->least))
