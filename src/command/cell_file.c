@@ -46,7 +46,7 @@ static const known_column known[] = {
     {"fw", "number", offsetof(cell_row, frame[3])},
 };
 static const char *const particle_names[] = {"x", "y", "z", "vx", "vy", "vz"};
-enum { KNOWN = sizeof known / sizeof known[0] };
+enum { KNOWN = sizeof known / sizeof known[0], PARTICLES_MAX = 100000 };
 
 /* A column of the file: one of those, or a coordinate or velocity of a particle. */
 typedef struct column {
@@ -95,10 +95,13 @@ static bool find_particle(const char *word, column *c) {
         const char *digits = word + n;
         if (strncmp(word, particle_names[k], n) != 0 || !*digits || digits[strspn(digits, "0123456789")])
             continue;
+        unsigned long particle = strtoul(digits, NULL, 10);
+        if (particle == 0 || particle > PARTICLES_MAX)
+            return false;
         c->component = k;
-        c->particle = (uint32_t)strtoul(digits, NULL, 10);
+        c->particle = (uint32_t)particle;
         c->of = k < 3 ? DIM_LENGTH : DIM_VELOCITY;
-        return c->particle > 0 && c->particle <= 100000;
+        return true;
     }
     return false;
 }
