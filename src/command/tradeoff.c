@@ -3,13 +3,13 @@
 #include "command/commands.h"
 #include "command/output_list.h"
 #include "command/session.h"
+#include "command/tradeoff_method.h"
 #include "command/tradeoff_table.h"
 
 #include "base/alloc.h"
 #include "base/path.h"
 #include "base/table.h"
 #include "output/plot.h"
-#include "relax/integrator.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -19,52 +19,45 @@ enum { METHODS_MAX = 32 };
 
 /* ---- what is compared -------------------------------------------------------------------------------------------- */
 
-/* A preset, or an integrator with a step of its own. */
-static bool find_method(const char *name, tradeoff_method *out) {
-    for (size_t i = 0; i < accuracy_preset_count; i++)
-        if (strcmp(name, accuracy_presets[i].name) == 0) {
-            *out = (tradeoff_method){accuracy_presets[i].name, accuracy_presets[i].settings};
-            return true;
-        }
-    int integrator = integrator_find(name);
-    if (integrator >= 0)
-        *out = (tradeoff_method){integrator_styles[integrator]->name, {.integrator = (integrator_kind)integrator}};
-    return integrator >= 0;
-}
-
-static int refuse_method(const char *name, diag *d) {
-    const char *near = table_nearest(accuracy_presets, accuracy_preset_count, sizeof *accuracy_presets, name);
-    diag_error(d, "'%s' is neither a preset of accuracy nor an integrator", name);
-    if (near)
-        return diag_help(d, "did you mean '%s'?", near);
-    return diag_help(d, "'help presets' and 'help integrators' list them");
-}
-
-static bool is_among(const tradeoff_method *methods, size_t n, const char *name) {
+static int row_of(const tradeoff_method *methods, size_t n, const char *name) {
     for (size_t i = 0; i < n; i++)
         if (strcmp(methods[i].name, name) == 0)
-            return true;
-    return false;
+            return (int)i;
+    return -1;
+}
+
+/* Row of the method that an argument names; -1: it is not given. */
+static int find_among(const args *a, const char *argument, const tradeoff_method *methods, size_t n) {
+    return args_given(a, argument) ? row_of(methods, n, args_text(a, argument)) : -1;
 }
 
 /* Those named, or all presets. */
-static int read_methods(const args *a, tradeoff_method methods[METHODS_MAX], size_t *n, diag *d) {
+static int read_methods(interp *in, const args *a, tradeoff_method methods[METHODS_MAX], size_t *n, diag *d) {
     size_t named = args_given(a, "among") && output_list_knows(a, "among") ? args_count(a, "among") : 0;
+    int status = SARCINA_OK;
     for (*n = 0; *n < accuracy_preset_count && !args_given(a, "among"); ++*n)
-        find_method(accuracy_presets[*n].name, &methods[*n]);
-    for (; *n < named; ++*n) {
+        methods[*n] = (tradeoff_method){accuracy_presets[*n].name, accuracy_presets[*n].settings};
+    for (; *n < named && !status; *n += !status) {
         const char *name = args_text_at(a, "among", *n);
-        bool twice = is_among(methods, *n, name);
-        if (!twice && find_method(name, &methods[*n]))
-            continue;
-        if (twice)
-            diag_error(d, "'%s' is named twice", name);
+        if (*n == METHODS_MAX)
+            status = diag_error(d, "at most %d methods are compared", METHODS_MAX);
+        else if (row_of(methods, *n, name) >= 0)
+            status = diag_error(d, "'%s' is named twice", name);
         else
-            refuse_method(name, d);
-        diag_place(d, args_span_at(a, "among", *n));
-        return SARCINA_ERROR;
+            status = tradeoff_method_read(in, name, &methods[*n], d);
+        if (status)
+            diag_place(d, args_span_at(a, "among", *n));
     }
-    return SARCINA_OK;
+    return status;
+}
+
+static int check_against(const args *a, const tradeoff_method *methods, size_t n, diag *d) {
+    if (!args_given(a, "against") || !output_list_knows(a, "against") || !output_list_knows(a, "among") ||
+        find_among(a, "against", methods, n) >= 0)
+        return SARCINA_OK;
+    diag_error(d, "'%s' is not one of those that are compared", args_text(a, "against"));
+    diag_place(d, args_span(a, "against"));
+    return diag_help(d, "name it behind among, too");
 }
 
 /* A colony that has just been relaxed is at rest, and any method keeps it so: what a run solves begins with growth. */
@@ -160,7 +153,7 @@ static int check_file(const args *a, const char *name, bool picture, diag *d) {
 
 /* Words that mean nothing without cycles, and cycles that would all be the same. */
 static int check_cycles(interp *in, const args *a, diag *d) {
-    static const char *const words[] = {"seeds", "observe", "margin"};
+    static const char *const words[] = {"seeds", "observe", "against", "margin"};
     for (size_t i = 0; i < TABLE_COUNT(words); i++)
         if (!args_given(a, "cycles") && args_given(a, words[i])) {
             diag_error(d, "%s is for what cells do over many cycles, and there are none", words[i]);
@@ -196,8 +189,11 @@ static int keep(interp *in, const args *a, const tradeoff_result *r, diag *d) {
     return !status && args_given(a, "plot") ? draw(in, args_text(a, "plot"), r, d) : status;
 }
 
-/* The most exact here; where trajectories diverge, the most exact preset by the order of their table. */
-static size_t choose_base(const tradeoff_result *r) {
+/* The one that is named (-1: none); else the most exact here; where trajectories diverge, the most exact preset by the
+ * order of their table. */
+static size_t choose_base(const tradeoff_result *r, int named) {
+    if (named >= 0)
+        return (size_t)named;
     int best = tradeoff_most_exact(r->rows, r->n), last = -1;
     for (size_t i = 0; i < r->n && best < 0; i++)
         for (int k = last + 1; k < (int)accuracy_preset_count; k++)
@@ -229,7 +225,7 @@ static int measure(interp *in, const args *a, tradeoff_result *r, tradeoff_row *
     status = tradeoff_cycles(s, &study, r->methods, r->n, &r->runs, d);
     interp_progress(in, NULL);
     tradeoff_comparison *all = alloc_zeroed(r->n * o->n, sizeof *all);
-    r->base = choose_base(r);
+    r->base = choose_base(r, find_among(a, "against", r->methods, r->n));
     r->comparison = all;
     if (!status) {
         tradeoff_compare(&r->runs, r->base, r->margin, all);
@@ -251,7 +247,9 @@ static int run_tradeoff(interp *in, const args *a, diag *d) {
                          .cycles = (uint64_t)args_int(a, "cycles"),
                          .margin = args_number(a, "margin"),
                          .observed = o.columns};
-    int status = read_methods(a, methods, &r.n, d);
+    int status = read_methods(in, a, methods, &r.n, d);
+    if (!status)
+        status = check_against(a, methods, r.n, d);
     if (!status)
         status = check_file(a, "file", false, d);
     if (!status)
@@ -273,12 +271,14 @@ static int run_tradeoff(interp *in, const args *a, diag *d) {
 
 static const param params[] = {
     {"T:time(0,)", "relaxation time, of each cycle too"},
-    {"among:word...", "presets of accuracy, or integrators with steps of their own; without it, all presets"},
+    {"among:word...", "presets of accuracy, or integrators, each with its step, tol or inertia where it is quoted; "
+                      "without it, all presets"},
     {"grow:time[0,)", "growth before the relaxation; without it, that of the run before, or none"},
     {"cycles=0:int[0,)", "also runs of this many cycles by each, and compares what they end with"},
     {"seeds=1:int[1,)", "runs by each: from the scene's seed, and from those that follow it"},
     {"observe:value...", "what is compared; without it: gyration; over a plane nematic and layering.mean, else "
                          "compactness; links where there are any"},
+    {"against:word", "which of them the others are compared with; without it, the most exact"},
     {"margin=2%:fraction%(0,1)", "differences below this part of the mean are of no interest"},
     {"file:file", "a CSV file for what was found, in SI units"},
     {"plot:file", "a .svg, .png or .pdf file: errors against evaluations; with cycles, also one with .cycles before "
@@ -298,14 +298,17 @@ static const command_form forms[] = {
      "diverge: rows whose error is less than twice what has become of that say chaos. Costs are seconds of all "
      "processors and evaluations of the force; the Pareto front is that of evaluations, the same at every run.\n\n"
      "With cycles, each preset makes the run from each seed, and every quantity is compared with that of the most "
-     "exact preset, seed by seed. It is equivalent where two one-sided tests at 5 % say that the difference is within "
+     "exact preset, or of the one named, seed by seed. It is equivalent where two one-sided tests at 5 % say that the "
+     "difference is within "
      "the margin (TOST; then also where it is surely not 0); biased where the interval of the difference excludes 0; "
      "else there are not enough seeds, and about so many are needed for a power of 80 %. Intervals are of 95 % for all "
      "quantities of a preset together (Bonferroni). The cheapest preset all of whose quantities are equivalent is "
      "named.\n\n"
      "The growth step and T are physics, not accuracy: another T is another model, however fast it runs.",
      "tradeoff 0.1s among paper balanced draft grow 4min file tradeoff.csv\n"
-     "tradeoff 0.1s among balanced draft cycles 2 seeds 3 observe gyration/1um thickness margin 5% plot tradeoff.svg "
+     "tradeoff 0.1s among balanced rk4 \"verlet step 1ms\" \"bs32 tol 0.01\" \"euler inertia 0.1\" grow 4min\n"
+     "tradeoff 0.1s among balanced draft cycles 2 seeds 3 observe gyration/1um thickness against balanced margin 5% "
+     "plot tradeoff.svg "
      "grow 4min",
      COMMAND_SHADOW, run_tradeoff, NULL, 0},
 };

@@ -10,42 +10,78 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One point a method, in the legend by its name. */
-static int plot_relaxation(const char *path, const tradeoff_result *r, diag *d) {
-    double *x = alloc_zeroed(r->n, 2 * sizeof *x), *y = x + r->n;
-    plot_curve *curves = alloc_zeroed(r->n, sizeof *curves);
-    char **names = alloc_zeroed(r->n, sizeof *names);
+/* A point of work against precision. */
+typedef struct point {
+    double x, y;
+    size_t curve;
+} point;
+
+static int compare_points(const void *left, const void *right) {
+    const point *a = left, *b = right;
+    if (a->curve != b->curve)
+        return a->curve < b->curve ? -1 : 1;
+    return (a->x > b->x) - (a->x < b->x);
+}
+
+/* The curve of this legend, or a new one; names (*n). */
+static size_t curve_of(char **names, size_t *n, const char *name, bool chaos) {
+    char *legend = alloc_format("%.*s%s", (int)strcspn(name, " "), name, chaos ? " (chaos)" : "");
+    for (size_t i = 0; i < *n; i++)
+        if (strcmp(names[i], legend) == 0) {
+            free(legend);
+            return i;
+        }
+    names[*n] = legend;
+    return (*n)++;
+}
+
+/* What can be drawn, curve by curve, from few evaluations to many; returns how many. */
+static size_t gather_points(const tradeoff_result *r, point *points, char **names, size_t *ncurves) {
     size_t count = 0;
     for (size_t i = 0; i < r->n; i++) {
         const tradeoff_row *row = &r->rows[i];
-        if (row->state == TRADEOFF_FAILED || row->error.rms == 0)
-            continue;
-        names[count] = alloc_format("%s%s", r->methods[i].name, row->state == TRADEOFF_CHAOS ? " (chaos)" : "");
-        x[count] = (double)row->cost.evaluations;
-        y[count] = dim_from_engine(row->error.rms, DIM_LENGTH);
-        /* a bar of no length: the mark */
-        curves[count] = (plot_curve){.name = names[count],
-                                     .axis = "error (rms)",
-                                     .d = DIM_LENGTH,
-                                     .n = 1,
-                                     .x = &x[count],
-                                     .y = &y[count],
-                                     .low = &y[count],
-                                     .high = &y[count]};
-        count++;
+        if (row->state != TRADEOFF_FAILED && row->error.rms > 0)
+            points[count++] = (point){(double)row->cost.evaluations, dim_from_engine(row->error.rms, DIM_LENGTH),
+                                      curve_of(names, ncurves, r->methods[i].name, row->state == TRADEOFF_CHAOS)};
+    }
+    qsort(points, count, sizeof *points, compare_points);
+    return count;
+}
+
+/* A curve a preset or integrator, through its points of several steps or tolerances. */
+static int plot_relaxation(const char *path, const tradeoff_result *r, diag *d) {
+    point *points = alloc_zeroed(r->n, sizeof *points);
+    char **names = alloc_zeroed(r->n, sizeof *names);
+    double *x = alloc_zeroed(r->n, 2 * sizeof *x), *y = x + r->n;
+    plot_curve *curves = alloc_zeroed(r->n, sizeof *curves);
+    size_t ncurves = 0, count = gather_points(r, points, names, &ncurves);
+    for (size_t i = count; i-- > 0;) {
+        x[i] = points[i].x;
+        y[i] = points[i].y;
+        plot_curve *c = &curves[points[i].curve];
+        /* bars of no length: the marks */
+        *c = (plot_curve){.name = names[points[i].curve],
+                          .axis = "error (rms)",
+                          .d = DIM_LENGTH,
+                          .n = c->n + 1,
+                          .x = &x[i],
+                          .y = &y[i],
+                          .low = &y[i],
+                          .high = &y[i]};
     }
     const plot_diagram p = {.x_name = "force evaluations",
                             .shape = PLOT_POINTS,
                             .log_x = true,
                             .log_y = true,
                             .curves = curves,
-                            .count = count};
+                            .count = ncurves};
     int status = count ? plot_draw(&p, path, d) : SARCINA_OK;
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < ncurves; i++)
         free(names[i]);
-    free(names);
     free(curves);
     free(x);
+    free(names);
+    free(points);
     return status;
 }
 

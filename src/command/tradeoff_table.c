@@ -7,6 +7,7 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <string.h>
 
 /* ---- one relaxation, on the screen ------------------------------------------------------------------------------- */
 
@@ -24,28 +25,37 @@ static void print_reference(interp *in, const tradeoff_reference *r) {
                  r->divergence.most, r->divergence.rms);
 }
 
-static void print_row(interp *in, const tradeoff_method *m, const tradeoff_row *row) {
+/* Of the column of names. */
+static int width_of(const tradeoff_result *r) {
+    size_t width = 10;
+    for (size_t i = 0; i < r->n; i++)
+        width = strlen(r->methods[i].name) > width ? strlen(r->methods[i].name) : width;
+    return (int)width;
+}
+
+static void print_row(interp *in, const tradeoff_method *m, int width, const tradeoff_row *row) {
     if (row->state == TRADEOFF_FAILED) {
-        interp_print(in, "  %-10s failed: %s", m->name, row->reason);
+        interp_print(in, "  %-*s failed: %s", width, m->name, row->reason);
         return;
     }
     const char *state = states[row->state];
-    interp_print(in, "%c %-10s %10.4f %12" PRIu64 " %9" PRIu64 " %11.2e %11.2e%s%s", row->front ? '*' : ' ', m->name,
-                 row->cost.seconds, row->cost.evaluations, row->cost.steps, row->error.most, row->error.rms,
+    interp_print(in, "%c %-*s %10.4f %12" PRIu64 " %9" PRIu64 " %11.2e %11.2e%s%s", row->front ? '*' : ' ', width,
+                 m->name, row->cost.seconds, row->cost.evaluations, row->cost.steps, row->error.most, row->error.rms,
                  *state ? "  " : "", state);
 }
 
 void tradeoff_table_relaxation(interp *in, const tradeoff_result *r) {
     char grow[64] = "";
+    int width = width_of(r);
     bool chaos = false;
     if (r->plan.grow > 0)
         snprintf(grow, sizeof grow, "growth for %g s, then ", r->plan.grow);
     interp_print(in, "%sone relaxation of %g s, %zu cells", grow, r->plan.relax, r->reference.cells);
     print_reference(in, &r->reference);
-    interp_print(in, "  %-10s %10s %12s %9s %11s %11s", "preset", "CPU s", "evaluations", "steps", "error um",
+    interp_print(in, "  %-*s %10s %12s %9s %11s %11s", width, "preset", "CPU s", "evaluations", "steps", "error um",
                  "rms um");
     for (size_t i = 0; i < r->n; i++) {
-        print_row(in, &r->methods[i], &r->rows[i]);
+        print_row(in, &r->methods[i], width, &r->rows[i]);
         chaos = chaos || r->rows[i].state == TRADEOFF_CHAOS;
     }
     if (chaos)
@@ -70,7 +80,7 @@ static void verdict_text(const tradeoff_comparison *c, char text[64]) {
         snprintf(text, 64, "not enough seeds: about %.0f", c->seeds);
 }
 
-static void print_comparison(interp *in, const tradeoff_result *r, size_t m, size_t k) {
+static void print_comparison(interp *in, const tradeoff_result *r, int width, size_t m, size_t k) {
     const tradeoff_comparison *c = &r->comparison[m * r->runs.nobserved + k];
     const output_column *column = &r->observed[k];
     char suffix[48], name[80], verdict[64], difference[48] = "-";
@@ -80,23 +90,24 @@ static void print_comparison(interp *in, const tradeoff_result *r, size_t m, siz
     if (c->reference.mean != 0)
         snprintf(difference, sizeof difference, "%+.2f +- %.2f", percent * c->difference.value, percent * c->width);
     if (m == r->base)
-        interp_print(in, "  %-10s %-24s %11.4g  compared with", "", name, c->own.mean / divisor);
+        interp_print(in, "  %-*s %-24s %11.4g  compared with", width, "", name, c->own.mean / divisor);
     else
-        interp_print(in, "  %-10s %-24s %11.4g %18s  %s", "", name, c->own.mean / divisor, difference, verdict);
+        interp_print(in, "  %-*s %-24s %11.4g %18s  %s", width, "", name, c->own.mean / divisor, difference, verdict);
 }
 
 void tradeoff_table_cycles(interp *in, const tradeoff_result *r) {
     const tradeoff_runs *runs = &r->runs;
+    int width = width_of(r);
     interp_print(in, "%" PRIu64 " cycles of growth for %g s and relaxation of %g s, %zu seeds", r->cycles, r->plan.grow,
                  r->plan.relax, runs->seeds);
     interp_print(in, "  differences from %s, paired by seed, with 95 %% intervals; equivalent within %g %%",
                  r->methods[r->base].name, 100 * r->margin);
-    interp_print(in, "  %-10s %-24s %11s %18s  %s", "preset", "quantity", "mean", "difference %", "verdict");
+    interp_print(in, "  %-*s %-24s %11s %18s  %s", width, "preset", "quantity", "mean", "difference %", "verdict");
     for (size_t m = 0; m < r->n; m++) {
-        interp_print(in, "  %-10s %.4g CPU s, %" PRIu64 " evaluations%s", r->methods[m].name, runs->cost[m].seconds,
-                     runs->cost[m].evaluations, runs->failed[m] ? ": failed" : "");
+        interp_print(in, "  %-*s %.4g CPU s, %" PRIu64 " evaluations%s", width, r->methods[m].name,
+                     runs->cost[m].seconds, runs->cost[m].evaluations, runs->failed[m] ? ": failed" : "");
         for (size_t k = 0; k < runs->nobserved && !runs->failed[m]; k++)
-            print_comparison(in, r, m, k);
+            print_comparison(in, r, width, m, k);
     }
     size_t best = tradeoff_cheapest(runs, r->base, r->comparison);
     if (best == r->base)

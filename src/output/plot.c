@@ -24,6 +24,10 @@ static const struct {
 static const char *const colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
 enum { COLORS = sizeof colors / sizeof *colors };
 
+/* gnuplot's numbers of filled marks: when the colours begin again, another. */
+static const int marks[] = {7, 5, 9, 13};
+enum { MARKS = sizeof marks / sizeof *marks };
+
 int plot_ready(diag *d) {
     return process_check("gnuplot", "gnuplot-nox", d);
 }
@@ -145,10 +149,21 @@ static void put_range(FILE *out, const char *axis, const double range[2], dim d)
         fprintf(out, "set %s [%g:%g]\n", axis, low - room, low + room);
 }
 
+/* Logarithmic, which knows no offsets: room for the marks at both ends. */
+static void put_log_range(FILE *out, const double range[2], dim d) {
+    static const double room = 1.15;
+    char unit[48];
+    double divisor = readable_unit(d, unit);
+    if (range[0] > 0 && isfinite(range[1]))
+        fprintf(out, "set xrange [%g:%g]\n", range[0] / divisor / room, range[1] / divisor * room);
+}
+
 static void put_ranges(FILE *out, const plot_diagram *p) {
     double range[2];
     find_range(p, true, false, range);
     put_range(out, "xrange", range, p->x_dim);
+    if (p->shape == PLOT_POINTS && p->log_x)
+        put_log_range(out, range, p->x_dim);
     find_range(p, false, false, range);
     put_range(out, "yrange", range, p->curves[0].d);
     find_range(p, false, true, range);
@@ -172,7 +187,7 @@ static void put_axes(FILE *out, const plot_diagram *p) {
     if (p->log_x)
         fputs("set logscale x\nset autoscale xfix\n", out);
     if (p->log_y)
-        fputs("set logscale y\n", out);
+        fputs("set logscale y\nset format y '%g'\n", out);
     else
         fputs("set offsets 0, 0, graph 0.05, 0\n", out);
     if (p->shape == PLOT_BOXES && !p->log_y)
@@ -203,6 +218,10 @@ static void put_line(FILE *out, size_t i, double width) {
     fprintf(out, " linewidth %g linecolor rgb '%s' dashtype %zu", width, colors[i % COLORS], i / COLORS + 1);
 }
 
+static void put_mark(FILE *out, size_t i) {
+    fprintf(out, " pointtype %d pointsize 0.8", marks[i / COLORS % MARKS]);
+}
+
 static void put_curve(FILE *out, const plot_diagram *p, size_t i, bool first) {
     const plot_curve *c = &p->curves[i];
     if (p->shape == PLOT_BOXES) {
@@ -211,7 +230,9 @@ static void put_curve(FILE *out, const plot_diagram *p, size_t i, bool first) {
                 colors[i % COLORS], colors[i % COLORS]);
     } else {
         put_using(out, p, i, "2", first);
-        fputs(" with lines", out);
+        fputs(p->shape == PLOT_POINTS ? " with linespoints" : " with lines", out);
+        if (p->shape == PLOT_POINTS)
+            put_mark(out, i);
         put_line(out, i, p->shape == PLOT_LINE ? 2 : 1);
     }
     put_title(out, p, i);
@@ -231,7 +252,9 @@ static void put_band(FILE *out, const plot_diagram *p, size_t i, bool first) {
         return;
     }
     put_using(out, p, i, "2:3:4", first);
-    fprintf(out, " with yerrorbars pointtype 7 pointsize 0.8 linewidth 1.2 linecolor rgb '%s'", colors[i % COLORS]);
+    fputs(" with yerrorbars", out);
+    put_mark(out, i);
+    fprintf(out, " linewidth 1.2 linecolor rgb '%s'", colors[i % COLORS]);
 }
 
 static void put_plot(FILE *out, const plot_diagram *p) {

@@ -44,6 +44,6 @@ void topic_example_reduction(page *p, const struct reduction_style *s);
 
 /* The tables of topics: topic_table.c. */
 topic_row topic_row_dimension, topic_row_value, topic_row_function, topic_row_block, topic_row_color,
-    topic_row_accuracy, topic_row_trade, topic_row_integrator, topic_row_force, topic_row_exit;
+    topic_row_accuracy, topic_row_trade, topic_row_integrator, topic_row_method, topic_row_force, topic_row_exit;
 
 #endif

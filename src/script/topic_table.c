@@ -126,6 +126,19 @@ bool topic_row_integrator(size_t i, page *name, page *text) {
     return true;
 }
 
+bool topic_row_method(size_t i, page *name, page *text) {
+    static const struct {
+        const char *name, *text;
+    } measured[] = {
+#include "script/topic_methods.def"
+    };
+    if (i >= TABLE_COUNT(measured))
+        return false;
+    page_put(name, "%s", measured[i].name);
+    page_put(text, "%s", measured[i].text);
+    return true;
+}
+
 bool topic_row_force(size_t i, page *name, page *text) {
     if (i >= FORCE_COUNT)
         return false;

@@ -16,10 +16,10 @@ syntax keyword sarcinaValue straightness strain stretch stuck thickness time ux 
 syntax keyword sarcinaValue volume vx vy vz wall x y zmax zmin
 syntax match sarcinaValue /\<\%(species\)\>/
 
-syntax keyword sarcinaKeyword abs along among angle append approx aspect at axes axis background band bins
-syntax keyword sarcinaKeyword branch ces clamp coil color contact cvdw cycles density diameter draw
-syntax keyword sarcinaKeyword epsilon error every filament file fluid form format fps fraction from g gap
-syntax keyword sarcinaKeyword glide hand handover hi in inertia jitter k kappa keep legend length lo
+syntax keyword sarcinaKeyword abs against along among angle append approx aspect at axes axis background
+syntax keyword sarcinaKeyword band bins branch ces clamp coil color contact cvdw cycles density diameter
+syntax keyword sarcinaKeyword draw epsilon error every filament file fluid form format fps fraction from g
+syntax keyword sarcinaKeyword gap glide hand handover hi in inertia jitter k kappa keep legend length lo
 syntax keyword sarcinaKeyword lognormal long map margin mass maxtry method normal observe of orient origin
 syntax keyword sarcinaKeyword overlap overwrite pad pairs particles pitch probability radius range rate
 syntax keyword sarcinaKeyword ratio reach rel scalebar screen sd seeds short side size skin snap springs
