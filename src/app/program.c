@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "app/program.h"
 
+#include "app/plan.h"
+
 #include "app/editor.h"
 #include "app/terminal.h"
 #include "base/alloc.h"
@@ -207,10 +209,27 @@ static bool has_terminal(const program *p) {
     return p->screen == stdout && isatty(STDOUT_FILENO) && isatty(STDERR_FILENO) && kind && strcmp(kind, "dumb") != 0;
 }
 
+/* Of an ensemble all that the command line names. */
+static int count_runs(const options *o, size_t *runs, diag *d) {
+    plan all;
+    *runs = o->check;
+    if (!o->check || (!o->replicates && !o->nsweeps))
+        return SARCINA_OK;
+    int status = plan_create(&all, o, d);
+    if (status)
+        return status;
+    *runs = all.nruns;
+    plan_free(&all);
+    return SARCINA_OK;
+}
+
 int program_create(program *p, const options *o, diag *d) {
     *p = (program){0};
     gsl_set_error_handler_off();
-    int status = open_outputs(p, o, d);
+    size_t runs;
+    int status = count_runs(o, &runs, d);
+    if (!status)
+        status = open_outputs(p, o, d);
     p->units = status ? NULL : units_create(d);
     if (!p->units) {
         program_free(p);
@@ -220,7 +239,7 @@ int program_create(program *p, const options *o, diag *d) {
     commands_add(p->commands);
     p->library = find_library();
     p->host = (interp_host){.commands = p->commands,
-                            .forecast = o->check,
+                            .forecast = runs,
                             .units = p->units,
                             .self = p,
                             .screen = print_screen,

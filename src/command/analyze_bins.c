@@ -22,6 +22,11 @@ struct output_bins {
     char *pattern;    /* of a file a step; NULL: none */
 };
 
+void analyze_bins_ends(const output_analysis *p, double *low, double *high) {
+    *low = p->bins->low;
+    *high = p->bins->high;
+}
+
 void analyze_bins_free(output_bins *b) {
     if (!b)
         return;

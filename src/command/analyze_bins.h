@@ -20,6 +20,9 @@ bool analyze_bins_is_profile(const output_analysis *p);
 /* What lies along the bins: the value, or the direction. */
 const char *analyze_bins_along(const output_analysis *p);
 
+/* Its ends as given, SI; NaN: from the least to the largest of the cells. */
+void analyze_bins_ends(const output_analysis *p, double *low, double *high);
+
 /* Every field of every bin of the present scene, SI, by the name it has in expressions: "lengths.count[3]". */
 typedef void analyze_bins_visit(void *self, const char *name, dim d, double si);
 int analyze_bins_each(interp *in, const output_analysis *p, analyze_bins_visit *visit, void *self, diag *d);

@@ -48,10 +48,12 @@ static void draw_lots(scene *s, bool *flags, double probability, double fraction
 static int run_delete(interp *in, const args *a, diag *d) {
     scene *s = interp_scene(in);
     size_t n = s->colony->cell.count;
-    if (interp_checking(in))
-        forecast_unknown(in, "that cells are deleted");
     if (args_given(a, "probability") && args_given(a, "fraction"))
         return diag_error(d, "probability or fraction, not both");
+    if (interp_checking(in)) {
+        forecast_unknown(in, "that cells are deleted");
+        return SARCINA_OK;
+    }
     bool *flags = alloc_zeroed(n, sizeof *flags), *where = alloc_zeroed(n, sizeof *where);
     int status = session_members(in, args_row(a, "GROUP"), flags, d);
     if (!status && args_given(a, "where"))
@@ -81,7 +83,7 @@ static const param params[] = {
 
 static const command_form forms[] = {
     {"delete_cells GROUP:group", params, TABLE_COUNT(params), "Takes cells out, with their links", NULL,
-     "delete_cells cf where z > 1um probability 90%\ndelete_cells all fraction 50%", 0, run_delete, NULL, 0},
+     "delete_cells cf where z > 1um probability 90%\ndelete_cells all fraction 50%", COMMAND_SHADOW, run_delete, NULL, 0},
 };
 
 void command_delete_cells(command_table *t) {

@@ -303,7 +303,7 @@ static int run_write(interp *in, const args *a, diag *d) {
     if (!status)
         warn_if_missing(in, style);
     if (!status && interp_checking(in) && style->takes == DUMP_COLOR)
-        forecast_note_picture(in, (double)image.width * (double)image.height);
+        forecast_note_picture(in, &image);
     if (!status && !interp_checking(in) && !style->missing)
         status = write_now(in, a, columns, n, &image, d);
     if (status)

@@ -20,7 +20,7 @@ static forecast *forecast_of(interp *in) {
     session *s = session_of(in);
     if (!s->forecast) {
         s->forecast = alloc_zeroed(1, sizeof *s->forecast);
-        s->forecast->least_gap = INFINITY;
+        s->forecast->least_gap = s->forecast->least_across = INFINITY;
         s->forecast->scale = 1;
     }
     return s->forecast;
@@ -38,6 +38,9 @@ static size_t species_of(const scene *s) {
 }
 
 static void drop_scene(forecast *f) {
+    for (size_t i = 0; i < f->ntradeoffs; i++)
+        free(f->tradeoffs[i].methods);
+    free(f->tradeoffs);
     for (size_t i = 0; i < f->nruns; i++)
         expr_free(f->runs[i].until);
     free(f->runs);
@@ -73,11 +76,13 @@ void forecast_create(interp *in, const creation *c) {
     f->creations[f->ncreations++] = *c;
 }
 
-static void add_picture(forecast *f, forecast_run *r, double pixels, double times) {
+static void add_picture(forecast *f, forecast_run *r, const image_options *o, double times) {
+    double pixels = (double)o->width * (double)o->height;
     r->frames += times;
     r->pixels += times * pixels;
     r->edges += times * sqrt(pixels);
     f->most_pixels = fmax(f->most_pixels, pixels);
+    f->least_across = fmin(f->least_across, o->zoom * fmin(o->width, o->height));
 }
 
 /* Pictures that the dumps of now make in a cycle of a run. */
@@ -90,7 +95,7 @@ static void note_dumps(interp *in, forecast_run *r) {
         dump_takes takes = dump_styles[dump_style_of(p->file)]->takes;
         if ((takes != DUMP_COLOR && takes != DUMP_FILM) || !(every > 0))
             continue;
-        add_picture(forecast_of(in), r, (double)p->image.width * (double)p->image.height, 1 / fmax(1, every));
+        add_picture(forecast_of(in), r, &p->image, 1 / fmax(1, every));
     }
 }
 
@@ -131,9 +136,23 @@ void forecast_note_run(interp *in, const forecast_run *r) {
         note_dumps(in, add_run(in, r));
 }
 
-void forecast_note_picture(interp *in, double pixels) {
+void forecast_note_picture(interp *in, const image_options *o) {
     if (interp_check_passes(in) > 0)
-        add_picture(forecast_of(in), add_run(in, &(forecast_run){.cycles = 1, .still = true}), pixels, 1);
+        add_picture(forecast_of(in), add_run(in, &(forecast_run){.cycles = 1, .still = true}), o, 1);
+}
+
+void forecast_note_tradeoff(interp *in, const forecast_tradeoff *t) {
+    forecast *f = forecast_of(in);
+    double passes = interp_check_passes(in);
+    if (passes == 0)
+        return;
+    f->tradeoffs = alloc_grow(f->tradeoffs, &f->tradeoff_capacity, f->ntradeoffs + 1, sizeof *f->tradeoffs);
+    forecast_tradeoff *mine = &f->tradeoffs[f->ntradeoffs++];
+    *mine = *t;
+    mine->times *= passes / f->scale;
+    mine->methods = alloc_zeroed(t->n, sizeof *t->methods);
+    memcpy(mine->methods, t->methods, t->n * sizeof *t->methods);
+    mine->cells = forecast_project(in, f).cells;
 }
 
 void forecast_unknown(interp *in, const char *why) {
@@ -177,6 +196,15 @@ static void add_cycle(forecast_end *end, const forecast_run *run) {
     end->relaxed += relax;
 }
 
+/* As many cells as the rehearsal had. */
+static void scale(double by, double *mass, forecast_end *end) {
+    for (size_t i = 0; i < FORECAST_SPECIES; i++) {
+        mass[i] *= by;
+        end->of[i] *= by;
+    }
+    end->cells *= by;
+}
+
 forecast_end forecast_project(interp *in, const forecast *f) {
     static const double most_cycles = 1e6, most_cells = 1e9, tests = 1000;
     const scene *s = interp_scene(in);
@@ -200,6 +228,8 @@ forecast_end forecast_project(interp *in, const forecast *f) {
             end.cells = sum(end.of, species_of(s));
             add_cycle(&end, run);
         }
+        if (isfinite(run->ends) && end.cells > 0)
+            scale(run->ended_with / end.cells, mass, &end);
         end.open = run->until && !known && !isfinite(run->ends) ? run->until : end.open;
     }
     return end;
@@ -228,6 +258,7 @@ void forecast_clear(interp *in) {
                      .scale = fmax(1, interp_check_passes(in)),
                      .past = f->past,
                      .most_pixels = f->most_pixels,
+                     .least_across = f->least_across,
                      .most = fmax(f->most, end.cells),
                      .open = f->open || end.open};
     add_load(&next.past, f->scale, &end.load);
@@ -266,6 +297,10 @@ static double bytes_of(const forecast *f, const forecast_price *price, double ce
            f->most_pixels * (double)render_pixel_bytes();
 }
 
+static const char *plural(double n) {
+    return n > 1 ? "s" : "";
+}
+
 static void put_unknown(interp *in, const forecast *f, const forecast_end *end, const forecast_price *price) {
     double evaluations, seconds;
     char time[32];
@@ -285,17 +320,27 @@ static void put_estimate(interp *in, const forecast *f, const forecast_end *end,
     forecast_load load = f->past;
     add_load(&load, f->scale, &end->load);
     double seconds = price_of(price, &load, &evaluations);
+    double tradeoffs = f->scale * forecast_tradeoffs(interp_scene(in), f, price);
     double pictures = load.pixels * price->pixel + load.edges * price->edge;
     const char *most = end->open || f->open ? "at most " : "";
-    say_time(seconds + pictures, time);
+    say_time(seconds + pictures + tradeoffs, time);
     say_time(pictures, drawing);
     interp_screen(in,
-                  "estimate, to a factor of 3: %s%.0f cells after %s%.0f cycles of %.3g force evaluations, %s of one "
+                  "estimate, to a factor of 3: %s%.0f cell%s after %s%.0f cycle%s of %.3g force evaluations, %s of one "
                   "processor, %.0f MB",
-                  most, ceil(end->cells), most, load.cycles, load.relaxations > 0 ? evaluations / load.relaxations : 0,
-                  time, 1e-6 * bytes_of(f, price, end->cells));
+                  most, ceil(end->cells), plural(end->cells), most, load.cycles, plural(load.cycles),
+                  load.relaxations > 0 ? evaluations / load.relaxations : 0, time,
+                  1e-6 * bytes_of(f, price, end->cells));
     if (load.frames > 0)
-        interp_screen(in, "of it %.0f picture%s: %s", ceil(load.frames), load.frames > 1 ? "s" : "", drawing);
+        interp_screen(in, "of it %.0f picture%s: %s", ceil(load.frames), plural(load.frames), drawing);
+    if (tradeoffs > 0) {
+        say_time(tradeoffs, time);
+        interp_screen(in, "of it tradeoff: %s", time);
+    }
+    if (interp_forecast_runs(in) > 1) {
+        say_time((double)interp_forecast_runs(in) * (seconds + pictures + tradeoffs), time);
+        interp_screen(in, "that is one run; %zu of them take %s", interp_forecast_runs(in), time);
+    }
     put_unknown(in, f, end, price);
 }
 

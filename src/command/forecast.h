@@ -7,6 +7,8 @@
 
 #include "command/creation.h"
 #include "engine/scene.h"
+#include "engine/tradeoff.h"
+#include "output/image.h"
 #include "script/command.h"
 
 enum { FORECAST_SPECIES = 64, FORECAST_BINS = 64 };
@@ -18,11 +20,20 @@ typedef struct forecast_law {
     double arrive, mass; /* cells that attach, 1/s, and their mass, pg */
 } forecast_law;
 
+/* A tradeoff: relaxations of `relax` s behind a growth of `grow`, by each method so many, from the scene as it stands.
+ */
+typedef struct forecast_tradeoff {
+    double grow, relax, times;
+    tradeoff_method *methods; /* owned */
+    size_t n;
+    double cells; /* there then, as far as is known */
+} forecast_tradeoff;
+
 typedef struct forecast_run {
     double cycles, grow, relax; /* s; relax: infinite where it ends by force alone */
     double force;               /* it may rest before `relax` is over, 1e-21 N; 0: no */
     expr *until;                /* owned; NULL: none */
-    double ends;                /* cycles after which it came to hold in the rehearsal; infinite: not seen */
+    double ends, ended_with;    /* cycles after which it held in the rehearsal, and cells then; infinite: not seen */
     forecast_law law[FORECAST_SPECIES];
     bool upto;
     bool still;                   /* it is one picture, and no cycle */
@@ -43,10 +54,12 @@ typedef struct forecast {
     const char *unknown; /* where cells come from that are not counted; NULL */
     creation *creations;
     forecast_run *runs;
-    size_t ncreations, creation_capacity, nruns, run_capacity;
-    double most_pixels; /* of one picture */
-    double scale;       /* how often all this happens: from a clear on in loops */
-    forecast_load past; /* of what went before the last clear, and the largest number of cells there */
+    forecast_tradeoff *tradeoffs;
+    size_t ncreations, creation_capacity, nruns, run_capacity, ntradeoffs, tradeoff_capacity;
+    double most_pixels;  /* of one picture */
+    double least_across; /* pixels across one that shows the whole colony; infinite: there is none */
+    double scale;        /* how often all this happens: from a clear on in loops */
+    forecast_load past;  /* of what went before the last clear, and the largest number of cells there */
     double most;
     bool open; /* a run there may end before what is counted */
 } forecast;
@@ -56,8 +69,9 @@ void forecast_free(forecast *f); /* NULL is allowed */
 /* What a checked command would do; how often: interp_check_passes. */
 void forecast_create(interp *in, const creation *c);
 void forecast_note_run(interp *in, const forecast_run *r); /* takes a reference of until */
-void forecast_note_picture(interp *in, double pixels);
-void forecast_unknown(interp *in, const char *why); /* a constant text */
+void forecast_note_picture(interp *in, const image_options *o);
+void forecast_note_tradeoff(interp *in, const forecast_tradeoff *t); /* takes a copy of the methods */
+void forecast_unknown(interp *in, const char *why);                  /* a constant text */
 void forecast_clear(interp *in);
 
 /* Behind a check without errors: prints the estimate, and warns. */
@@ -85,12 +99,25 @@ typedef struct forecast_price {
 } forecast_price;
 
 int forecast_bin(double cells);
+double forecast_clock(void); /* CPU seconds of this process */
 int forecast_rehearse(interp *in, forecast *f, const forecast_end *end, forecast_price *out, diag *d);
 
 /* Of a second of relaxation of so many cells: force evaluations, CPU seconds. */
 void forecast_cost(const forecast_price *p, double cells, double *evaluations, double *seconds);
 
+/* forecast_tradeoff.c: CPU seconds of all of them, measured on the cells of the rehearsal. */
+double forecast_tradeoffs(scene *s, const forecast *f, const forecast_price *p);
+
 /* forecast_warn.c */
 void forecast_warn(interp *in, const forecast *f, const forecast_end *end);
+
+/* Mean diameter of a species' cells at division, um; NaN: not known. */
+double forecast_diameter(const species *sp);
+
+/* How far from its middle a colony of the end reaches, at a volume (layer: area) fraction of a half, um. */
+double forecast_radius(const scene *s, const forecast_end *end, bool layer);
+
+/* forecast_sizes.c */
+void forecast_warn_sizes(interp *in, const forecast *f, const forecast_end *end);
 
 #endif

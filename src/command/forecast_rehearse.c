@@ -16,7 +16,7 @@
 
 static const double budget = 0.4; /* CPU seconds */
 
-static double processor_seconds(void) {
+double forecast_clock(void) {
     struct timespec t;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
@@ -108,7 +108,7 @@ static int relax(rehearsal *r, const forecast_run *run, bool *whole, diag *d) {
     enum { PIECES = 20, LARGE = 300 };
     scene *s = r->s;
     size_t n = s->colony->cell.count;
-    double time = isfinite(run->relax) ? run->relax : 1, done = 0, begin = processor_seconds(), took = 0;
+    double time = isfinite(run->relax) ? run->relax : 1, done = 0, begin = forecast_clock(), took = 0;
     double piece = n > LARGE ? time / PIECES : time;
     uint64_t before = s->tally.evaluations;
     relax_result result = {0};
@@ -116,7 +116,7 @@ static int relax(rehearsal *r, const forecast_run *run, bool *whole, diag *d) {
     while (done < time * (1 - 1e-9) && took + r->spent < budget && !status && result.stop != RELAX_FORCE) {
         status = scene_relax(s, fmin(piece, time - done), run->force, &result, d);
         done += piece;
-        took = processor_seconds() - begin;
+        took = forecast_clock() - begin;
     }
     *whole = done >= time * (1 - 1e-9) || result.stop == RELAX_FORCE;
     int bin = forecast_bin((double)n);
@@ -138,12 +138,13 @@ static int rehearse_run(rehearsal *r, forecast_run *run, bool *on, diag *d) {
         bool done = false;
         if (run->until && interp_truth(r->in, run->until, &done, NULL) == SARCINA_OK && done) {
             run->ends = i;
+            run->ended_with = (double)s->colony->cell.count;
             break;
         }
-        double begin = processor_seconds();
+        double begin = forecast_clock();
         if (run->grow > 0)
             status = scene_grow(s, run->grow, d);
-        r->spent += processor_seconds() - begin;
+        r->spent += forecast_clock() - begin;
         if (!status && run->relax > 0 && (run->grow <= 0 || is_due(r))) {
             r->mass = mass_of(s);
             status = relax(r, run, on, d);
@@ -169,10 +170,10 @@ static double draw(scene *s, int width, int height) {
     how.has_color = true;
     how.width = width;
     how.height = height;
-    double begin = processor_seconds();
+    double begin = forecast_clock();
     image_draw(&f, &how, &c, NULL);
     canvas_free(c);
-    return processor_seconds() - begin;
+    return forecast_clock() - begin;
 }
 
 /* A picture costs by the pixel, and more where surfaces end, whose length grows as the root of the cells: from two

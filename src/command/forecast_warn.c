@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Warnings of -check: what a script names that can never act there, and sizes that are at odds with each other. Each is
- * one function of the table at the end. */
+/* Warnings of -check: what a script names that can never act there, and what is at odds with itself. Each is one
+ * function of the table at the end. */
 #include "command/forecast.h"
 
 #include "base/table.h"
@@ -19,8 +19,7 @@ typedef struct subject {
 
 static const double nm_each_um = 1e3;
 
-/* Mean diameter of a species' cells at division, um; NaN: not known. */
-static double diameter_of(const species *sp) {
+double forecast_diameter(const species *sp) {
     double mass = division_mean_mass(sp);
     if (sp->shape == SHAPE_COCCUS)
         return shape_coccus_diameter(mass, sp->density);
@@ -80,18 +79,20 @@ static void warn_links(const subject *u) {
             }
 }
 
-/* How far from its middle a colony of the end reaches, at a volume fraction of a half, um. */
-static double colony_radius(const subject *u) {
-    double volume = 0;
-    for (size_t i = 0; i < species_count(u->s); i++) {
-        double mass = division_mean_mass(&u->s->species.list[i]);
-        volume += u->end->of[i] * (mass > 0 ? mass : 1) / u->s->species.list[i].density;
+double forecast_radius(const scene *s, const forecast_end *end, bool layer) {
+    double volume = 0, area = 0;
+    for (size_t i = 0; i < species_count(s); i++) {
+        const species *sp = &s->species.list[i];
+        double mass = division_mean_mass(sp), diameter = forecast_diameter(sp);
+        double all = end->of[i] * (mass > 0 ? mass : 1) / sp->density;
+        volume += all;
+        area += diameter > 0 ? all / diameter : 0;
     }
-    return cbrt(3 * 2 * volume / (4 * M_PI));
+    return layer ? sqrt(2 * area / M_PI) : cbrt(3 * 2 * volume / (4 * M_PI));
 }
 
 static void warn_substratum(const subject *u) {
-    double radius = colony_radius(u);
+    double radius = forecast_radius(u->s, u->end, false);
     if (u->s->forces.term[FORCE_SUBSTRATUM].on && !u->s->forces.term[FORCE_GRAVITY].on && !u->f->unknown &&
         isfinite(u->f->least_gap) && u->f->least_gap > 3 * radius + 5)
         interp_warn(u->in,
@@ -153,7 +154,7 @@ static void warn_filial(const subject *u) {
     for (size_t a = 0; a < species_count(u->s); a++) {
         const link_rule *rule = link_rules_find(&u->s->links, LINK_FILIAL, (int)a, (int)a);
         const species *sp = &u->s->species.list[a];
-        double d = diameter_of(sp);
+        double d = forecast_diameter(sp);
         if (!rule || !(d > 0))
             continue;
         double least =
@@ -173,7 +174,7 @@ static void warn_break(const subject *u) {
         for (size_t a = 0; a < species_count(u->s); a++)
             for (size_t b = 0; b <= a; b++) {
                 const link_rule *rule = link_rules_find(&u->s->links, (link_kind)kind, (int)a, (int)b);
-                double d = diameter_of(&u->s->species.list[a]);
+                double d = forecast_diameter(&u->s->species.list[a]);
                 if (!rule || (kind != LINK_STICK && a != b) || !(link_rules_break((link_kind)kind, rule) < overlap * d))
                     continue;
                 interp_warn(u->in, "link %s %s: break %.3g nm is less than cells overlap in a colony, some %.3g nm",
@@ -186,7 +187,7 @@ static void warn_clamp(const subject *u) {
     const force_settings *dlvo = &u->s->forces.term[FORCE_DLVO];
     double clamp = dlvo->on ? dlvo->p[DLVO_CLAMP] / dlvo->p[DLVO_KAPPA] : 0;
     for (size_t a = 0; a < species_count(u->s); a++)
-        if (clamp > 0.5 * diameter_of(&u->s->species.list[a])) {
+        if (clamp > 0.5 * forecast_diameter(&u->s->species.list[a])) {
             interp_warn(u->in, "force dlvo is held from a gap of %.3g nm down, which is more than the radius of %s",
                         nm_each_um * clamp, u->s->species.list[a].name);
             return;
@@ -197,7 +198,7 @@ static void warn_jitter(const subject *u) {
     for (size_t a = 0; a < species_count(u->s); a++) {
         const species *sp = &u->s->species.list[a];
         double jitter = sp->division.style < 0 ? 0 : sp->division.values[DIVISION_JITTER].a;
-        if (jitter > 0.5 * diameter_of(sp))
+        if (jitter > 0.5 * forecast_diameter(sp))
             interp_warn(u->in, "division %s jitter %.3g um is more than a radius of its cells", sp->name, jitter);
     }
 }
@@ -210,4 +211,5 @@ void forecast_warn(interp *in, const forecast *f, const forecast_end *end) {
         return; /* a part of a script, which others include */
     for (size_t i = 0; i < TABLE_COUNT(all); i++)
         all[i](&u);
+    forecast_warn_sizes(in, f, end);
 }

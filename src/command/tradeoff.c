@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* tradeoff T [among PRESET...] [cycles N] [seeds K] ...: speed against accuracy, on the scene as it stands. */
 #include "command/commands.h"
+#include "command/forecast.h"
 #include "command/output_list.h"
 #include "command/session.h"
 #include "command/tradeoff_method.h"
@@ -258,6 +259,12 @@ static int run_tradeoff(interp *in, const args *a, diag *d) {
         status = check_cycles(in, a, d);
     if (!status)
         status = read_observed(a, &o, d);
+    if (!status && interp_checking(in))
+        forecast_note_tradeoff(in, &(forecast_tradeoff){.grow = r.plan.grow,
+                                                        .relax = r.plan.relax,
+                                                        .times = (double)r.cycles * (double)args_int(a, "seeds"),
+                                                        .methods = methods,
+                                                        .n = r.n});
     bool runs = !status && !interp_checking(in) && !interp_skips_runs(in);
     if (runs && interp_scene(in)->colony->cell.count == 0) {
         diag_error(d, "there are no cells to compare the presets on");

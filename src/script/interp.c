@@ -73,6 +73,10 @@ void *interp_client(interp *in) {
     return in->client;
 }
 
+size_t interp_forecast_runs(const interp *in) {
+    return in->host->forecast;
+}
+
 double interp_check_passes(const interp *in) {
     return in->check.passes;
 }

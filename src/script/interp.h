@@ -138,6 +138,7 @@ size_t interp_undo_bytes(const interp *in);
 double interp_check_passes(const interp *in);
 bool interp_skips_runs(const interp *in); /* -skiprun: nothing grows, nothing moves */
 void interp_quit(interp *in, int code);
+size_t interp_forecast_runs(const interp *in); /* how many runs of the script a forecast is to be of */
 
 /* ---- for the program --------------------------------------------------------------------------------------------- */
 
@@ -164,7 +165,7 @@ typedef struct interp_host {
     size_t undo_bytes;   /* of states that a prompt keeps for undo, at most; 0: 256 MB */
     bool skip_runs;      /* grow and relax nothing */
     bool test;           /* a failed expect is counted and the script goes on */
-    bool forecast;       /* a check without errors says what the script will take */
+    size_t forecast;     /* a check without errors says what so many runs of the script will take; 0: it does not */
     bool results;        /* leave the tables that ensembles are merged from */
 } interp_host;
 
