@@ -49,7 +49,7 @@ static void put_aside(scene *s, const double more[FORECAST_SPECIES]) {
                              .maxtry = 200,
                              .may_fail = true};
         size_t created;
-        for (double k = 0; k < more[i]; k++)
+        for (long k = 0, n = lround(ceil(more[i])); k < n; k++)
             scene_create_random(s, &p, 1, &box, 0, &created, NULL);
     }
 }
