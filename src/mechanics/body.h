@@ -60,20 +60,6 @@ static inline const capsule *capsule_get(const void *list, size_t slot, bool fla
     return room;
 }
 
-/* Single numbers of it, for loops that are compiled for the one and the other. */
-MECHANICS_INLINE double capsule_x(const void *list, size_t slot, int k, int dimensions) {
-    return dimensions > 2 ? ((const capsule *)list)[slot].x[k] : ((const flat_capsule *)list)[slot].x[k];
-}
-MECHANICS_INLINE double capsule_d(const void *list, size_t slot, int k, int dimensions) {
-    return dimensions > 2 ? ((const capsule *)list)[slot].d[k] : ((const flat_capsule *)list)[slot].d[k];
-}
-MECHANICS_INLINE double capsule_radius(const void *list, size_t slot, int dimensions) {
-    return dimensions > 2 ? ((const capsule *)list)[slot].radius : ((const flat_capsule *)list)[slot].radius;
-}
-MECHANICS_INLINE double capsule_rest(const void *list, size_t slot, int dimensions) {
-    return dimensions > 2 ? ((const capsule *)list)[slot].rest : ((const flat_capsule *)list)[slot].rest;
-}
-
 /* Sets it to the segment between two ends. */
 MECHANICS_INLINE void capsule_set(void *list, size_t slot, int dimensions, const double *first, const double *last,
                                   double radius, double rest) {
@@ -89,6 +75,12 @@ MECHANICS_INLINE void capsule_set(void *list, size_t slot, int dimensions, const
     }
     c->radius = radius;
     c->rest = rest;
+}
+
+/* A point that no body reaches, though distances from it are numbers: what fills the places of none. */
+MECHANICS_INLINE void capsule_set_nowhere(void *list, size_t slot, int dimensions) {
+    const double far[3] = {1e18, 1e18, 1e18};
+    capsule_set(list, slot, dimensions, far, far, 0, 0);
 }
 
 /* What tells a particle from all others, the same after any reordering: the key of its random directions. */

@@ -101,12 +101,13 @@ static void build(mechanics *m, const double *x) {
 }
 
 bool state_refresh_pairs(mechanics *m, const double *x) {
-    if (m->nbodies > m->capsule_capacity) {
-        m->capsule_capacity = m->nbodies + m->nbodies / 2;
+    if (m->nbodies + 1 > m->capsule_capacity) {
+        m->capsule_capacity = m->nbodies + 1 + m->nbodies / 2;
         free(m->capsules);
         m->capsules = alloc_aligned(m->capsule_capacity, capsule_size(m->flat), _Alignof(capsule));
         m->built_at = alloc_resize(m->built_at, 6 * m->capsule_capacity, sizeof *m->built_at);
     }
+    capsule_set_nowhere(m->capsules, m->nbodies, m->flat ? 2 : 3);
     bool left = set_capsules(m, x);
     if (m->listed && !left)
         return true;

@@ -23,9 +23,10 @@ struct contact_kernel;
 typedef struct force_frame {
     const body *bodies; /* (nbodies), by slot */
     size_t nbodies;
-    const double *x, *v;                /* (nparticles x 3), um, um/s; v NULL where damping is left out */
-    const double *mass;                 /* (nparticles), pg */
-    const void *capsules;               /* (nbodies), of x: capsule, or flat_capsule if flat; NULL without collision */
+    const double *x, *v; /* (nparticles x 3), um, um/s; v NULL where damping is left out */
+    const double *mass;  /* (nparticles), pg */
+    /* (nbodies + 1), of x, the last of no body: capsule, or flat_capsule if flat; NULL without collision */
+    const void *capsules;
     const struct neighbor *neighbor;    /* NULL without collision */
     const struct spring_index *springs; /* NULL without springs */
     const struct contact_kernel *kernel;

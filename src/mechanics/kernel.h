@@ -1,15 +1,32 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contacts by the batch: many pairs at once through loops that the compiler turns into vector code. The same source is
- * compiled once a vector width (kernels.cmake); the widest that the processor has is chosen when the program runs. All
- * give the same bits: each lane does the IEEE operations of contact_compute, without contraction. */
+/* Contacts, many at once: of the rows of several owners side by side (kernel_rows.h), and of any pairs by the batch
+ * (kernel_batch.h). The same source is compiled once a vector width (kernels.cmake); the widest that the processor has
+ * is chosen when the program runs. All give the same bits: each lane does the IEEE operations of the one law
+ * (contact_law.h), without contraction. */
 #ifndef SARCINA_MECHANICS_KERNEL_H
 #define SARCINA_MECHANICS_KERNEL_H
 
+#include "mechanics/body.h"
 #include "mechanics/contact.h"
 
 #include <stddef.h>
 
 enum { KERNEL_LANES = 8, KERNEL_BATCH = 128 }; /* pairs at once: the arrays below stay in the first-level cache */
+
+/* KERNEL_LANES bodies beside each other, each with a row of its own partners. Rows that end sooner are filled with a
+ * body that nothing reaches, so that every lane does the same: what such a body adds is 0, and changes no bit. */
+typedef struct kernel_rows {
+    const void *capsules;       /* by slot: capsule, or flat_capsule in the plane */
+    const uint32_t *owners;     /* (KERNEL_LANES) slots */
+    const uint32_t *partners;   /* (length x KERNEL_LANES) slots, in the order of ids */
+    size_t begin, length;       /* these are the partners from the begin-th on; of the longest row */
+    double lower[KERNEL_LANES]; /* partners with ids below the owner's, from the row's begin on: the first so many */
+} kernel_rows;
+
+/* What the partners do to each owner, and the part of that on its last particle; 1e-21 N. */
+typedef struct kernel_sums {
+    _Alignas(64) double total[3][KERNEL_LANES], last[3][KERNEL_LANES];
+} kernel_sums;
 
 /* Pairs as a structure of arrays: in, and out. A is the body of lower id. */
 typedef struct kernel_batch {
@@ -46,6 +63,10 @@ typedef struct contact_kernel {
      * plane, z components are neither read nor written. Returns how many touch with coincident axes, which have no
      * direction. */
     size_t (*contact[2][2])(const contact_law_values *law, size_t n, kernel_batch *b);
+    /* Sums the contacts of some bodies with all their partners, each in the order of its row, by what touches and
+     * where, as above; from begin > 0 on to what the sums hold. Components that are not computed are left as they are.
+     * Returns whether some touch with coincident axes: the sums lack those. */
+    bool (*rows[2][2])(const contact_law_values *law, const kernel_rows *rows, kernel_sums *sums);
     /* y = exp(x), n a multiple of KERNEL_LANES; SLEEF's deterministic one, the same bits in every width. */
     void (*exponential)(size_t n, const double *x, double *y);
     /* n components fly; returns how many change by more than `near`, or to what is no number. */

@@ -2,12 +2,10 @@
 /* The loops of the batched kernels, included by one small file a vector width, which defines KERNEL_NAME, the width's
  * suffix, and KERNEL_EXP(x, y), SLEEF's exponential of KERNEL_EXP_LANES numbers. */
 #include "mechanics/kernel.h"
+#include "mechanics/kernel_rows.h"
 
 #define KERNEL_JOIN_(a, b) a##b
 #define KERNEL_JOIN(a, b) KERNEL_JOIN_(a, b)
-
-/* The functions below are compiled for 3 dimensions and for 2. */
-#define KERNEL_INLINE static inline __attribute__((always_inline))
 
 KERNEL_INLINE void store(int dimensions, kernel_batch *b, size_t i, const contact_result *c) {
     const double place = b->side[i] > 0 ? c->s : c->t, scale = b->side[i] * c->scale;
@@ -106,4 +104,9 @@ extern const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME);
 #define KERNEL_TEXT_(a) #a
 #define KERNEL_TEXT(a) KERNEL_TEXT_(a)
 const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME) = {
-    KERNEL_TEXT(KERNEL_NAME), {{contact, contact_flat}, {sphere, sphere_flat}}, exponential, fly, kick};
+    KERNEL_TEXT(KERNEL_NAME),
+    {{contact, contact_flat}, {sphere, sphere_flat}},
+    {{rows_segments, rows_segments_flat}, {rows_spheres, rows_spheres_flat}},
+    exponential,
+    fly,
+    kick};

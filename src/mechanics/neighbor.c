@@ -11,11 +11,13 @@
 static const double slack = 1e-6;
 
 void neighbor_free(neighbor *list) {
-    free(list->first);
-    free(list->second);
+    free(list->partners);
     free(list->start);
     free(list->middle);
     free(list->by_id);
+    free(list->members);
+    free(list->lanes);
+    free(list->group_start);
     grid_free(&list->grid);
     memset(list, 0, sizeof *list);
 }
@@ -33,21 +35,34 @@ size_t neighbor_entries(const neighbor *list) {
     return list->n ? list->n * (list->n - 1) : 0;
 }
 
-void neighbor_pairs(const neighbor *list, const body *bodies, size_t begin, size_t count, uint32_t *first_buffer,
-                    uint32_t *second_buffer, const uint32_t **first, const uint32_t **second) {
-    if (list->listed) {
-        *first = list->first + begin;
-        *second = list->second + begin;
-        return;
+/* The all-pairs method writes its rows when they are asked for. A body's own place in its row is left to nobody. */
+static size_t write_pairs(const neighbor *list, const uint32_t *members, size_t begin, uint32_t *buffer,
+                          kernel_rows *rows) {
+    size_t length = list->n - begin < NEIGHBOR_BLOCK ? list->n - begin : NEIGHBOR_BLOCK;
+    for (size_t j = 0; j < length; j++)
+        for (size_t l = 0; l < KERNEL_LANES; l++) {
+            uint32_t partner = list->by_id[begin + j];
+            buffer[KERNEL_LANES * j + l] = partner == members[l] ? (uint32_t)list->n : partner;
+        }
+    rows->partners = buffer;
+    rows->length = length;
+    return begin + length < list->n ? begin + length : 0;
+}
+
+size_t neighbor_rows(const neighbor *list, const body *bodies, size_t group, size_t begin, uint32_t *buffer,
+                     kernel_rows *rows) {
+    const uint32_t *members = list->members + KERNEL_LANES * group;
+    rows->owners = members;
+    rows->begin = begin;
+    for (size_t l = 0; l < KERNEL_LANES; l++) {
+        uint32_t slot = members[l];
+        rows->lower[l] = slot >= list->n ? 0 : list->listed ? list->middle[slot] : bodies[slot].rank;
     }
-    for (size_t i = 0; i < count; i++) {
-        size_t owner = (begin + i) / (list->n - 1), place = (begin + i) % (list->n - 1), rank = bodies[owner].rank;
-        uint32_t partner = list->by_id[place < rank ? place : place + 1];
-        first_buffer[i] = place < rank ? partner : (uint32_t)owner | NEIGHBOR_OWN;
-        second_buffer[i] = place < rank ? (uint32_t)owner : partner;
-    }
-    *first = first_buffer;
-    *second = second_buffer;
+    if (!list->listed)
+        return write_pairs(list, members, begin, buffer, rows);
+    rows->partners = list->lanes + KERNEL_LANES * list->group_start[group];
+    rows->length = list->group_start[group + 1] - list->group_start[group];
+    return 0;
 }
 
 /* What one thread gathers: for a stretch of slots, the partners above each that are near enough. */
@@ -145,15 +160,14 @@ static void enter_pairs(neighbor *list, const gatherer *parts, int nparts) {
         start[i + 2] += start[i + 1];
     if (start[n + 1] > list->entries_capacity) {
         list->entries_capacity = start[n + 1] + start[n + 1] / 2;
-        list->first = alloc_resize(list->first, list->entries_capacity, sizeof *list->first);
-        list->second = alloc_resize(list->second, list->entries_capacity, sizeof *list->second);
+        list->partners = alloc_resize(list->partners, list->entries_capacity, sizeof *list->partners);
     }
     /* filling moves each start to where the next row begins */
     for (int p = 0; p < nparts; p++)
         for (size_t i = 0; i < parts[p].count; i++) {
             uint32_t a = parts[p].owners[i], b = parts[p].partners[i];
-            list->first[start[a + 1]++] = b;
-            list->first[start[b + 1]++] = a;
+            list->partners[start[a + 1]++] = b;
+            list->partners[start[b + 1]++] = a;
         }
 }
 
@@ -177,26 +191,84 @@ static void sort_keys(uint64_t *keys, size_t n) {
     }
 }
 
-/* Puts rows into the order of the partners' ids, and each pair into that of its own. */
+/* Puts rows into the order of the partners' ids. */
 static void sort_rows(neighbor *list, const body *bodies, size_t begin, size_t end) {
     uint64_t *keys = NULL;
     size_t capacity = 0;
     for (size_t slot = begin; slot < end; slot++) {
         size_t start = list->start[slot], n = list->start[slot + 1] - start;
-        uint32_t *first = list->first + start, *second = list->second + start, lower = 0;
+        uint32_t *partners = list->partners + start, lower = 0;
         keys = alloc_grow(keys, &capacity, n, sizeof *keys);
         for (size_t i = 0; i < n; i++)
-            keys[i] = (uint64_t)bodies[first[i]].rank << 32 | first[i];
+            keys[i] = (uint64_t)bodies[partners[i]].rank << 32 | partners[i];
         sort_keys(keys, n);
         for (size_t i = 0; i < n; i++) {
-            bool is_lower = keys[i] >> 32 < bodies[slot].rank;
-            lower += is_lower;
-            first[i] = is_lower ? (uint32_t)keys[i] : (uint32_t)slot | NEIGHBOR_OWN;
-            second[i] = is_lower ? (uint32_t)slot : (uint32_t)keys[i];
+            lower += keys[i] >> 32 < bodies[slot].rank;
+            partners[i] = (uint32_t)keys[i];
         }
         list->middle[slot] = lower;
     }
     free(keys);
+}
+
+/* Rows of more entries than this lie beside each other in any order. */
+enum { LENGTH_MOST = 255 };
+
+static size_t row_length(const neighbor *list, size_t slot) {
+    return list->start[slot + 1] - list->start[slot];
+}
+
+/* The members of a window's groups: its bodies, those with the longest rows first. */
+static void group_window(neighbor *list, size_t begin, size_t end) {
+    uint32_t place[LENGTH_MOST + 2] = {0};
+    size_t lengths[NEIGHBOR_WINDOW];
+    for (size_t slot = begin; slot < end; slot++) {
+        size_t length = row_length(list, slot);
+        lengths[slot - begin] = LENGTH_MOST - (length < LENGTH_MOST ? length : LENGTH_MOST);
+        place[lengths[slot - begin] + 1]++;
+    }
+    for (size_t i = 0; i < LENGTH_MOST; i++)
+        place[i + 1] += place[i];
+    for (size_t slot = begin; slot < end; slot++)
+        list->members[begin + place[lengths[slot - begin]]++] = (uint32_t)slot;
+}
+
+/* Which bodies share a group, and where its rows begin. */
+static void group_rows(neighbor *list) {
+    size_t n = list->n, groups = neighbor_groups(n);
+    for (size_t i = 0; i < KERNEL_LANES * groups; i++)
+        list->members[i] = (uint32_t)(i < n ? i : n);
+    list->group_start[0] = 0;
+    for (size_t begin = 0; list->listed && begin < n; begin += NEIGHBOR_WINDOW)
+        group_window(list, begin, begin + NEIGHBOR_WINDOW < n ? begin + NEIGHBOR_WINDOW : n);
+    for (size_t g = 0; list->listed && g < groups; g++) {
+        size_t longest = 0;
+        for (size_t l = 0; l < KERNEL_LANES; l++) {
+            uint32_t slot = list->members[KERNEL_LANES * g + l];
+            size_t length = slot < n ? row_length(list, slot) : 0;
+            longest = length > longest ? length : longest;
+        }
+        list->group_start[g + 1] = list->group_start[g] + longest;
+    }
+    size_t entries = KERNEL_LANES * list->group_start[list->listed ? groups : 0];
+    if (entries > list->lanes_capacity) {
+        list->lanes_capacity = entries + entries / 2;
+        list->lanes = alloc_resize(list->lanes, list->lanes_capacity, sizeof *list->lanes);
+    }
+}
+
+/* Writes the rows of groups begin ... end - 1 beside each other. */
+static void write_lanes(neighbor *list, size_t begin, size_t end) {
+    for (size_t g = begin; g < end; g++) {
+        uint32_t *lanes = list->lanes + KERNEL_LANES * list->group_start[g];
+        size_t longest = list->group_start[g + 1] - list->group_start[g];
+        for (size_t l = 0; l < KERNEL_LANES; l++) {
+            uint32_t slot = list->members[KERNEL_LANES * g + l];
+            size_t length = slot < list->n ? row_length(list, slot) : 0;
+            for (size_t j = 0; j < longest; j++)
+                lanes[KERNEL_LANES * j + l] = j < length ? list->partners[list->start[slot] + j] : (uint32_t)list->n;
+        }
+    }
 }
 
 static void reserve(neighbor *list) {
@@ -206,6 +278,9 @@ static void reserve(neighbor *list) {
     list->start = alloc_resize(list->start, list->n_capacity, sizeof *list->start);
     list->middle = alloc_resize(list->middle, list->n_capacity, sizeof *list->middle);
     list->by_id = alloc_resize(list->by_id, list->n_capacity, sizeof *list->by_id);
+    size_t groups = neighbor_groups(list->n_capacity);
+    list->members = alloc_resize(list->members, KERNEL_LANES * groups, sizeof *list->members);
+    list->group_start = alloc_resize(list->group_start, groups + 1, sizeof *list->group_start);
 }
 
 void neighbor_build(neighbor *list, const body *bodies, const void *capsules, double reach, int threads,
@@ -214,8 +289,10 @@ void neighbor_build(neighbor *list, const body *bodies, const void *capsules, do
     for (size_t i = 0; i < list->n; i++)
         list->by_id[bodies[i].rank] = (uint32_t)i;
     list->listed = list->method == NEIGHBOR_CELLS || list->chained;
-    if (!list->listed)
+    if (!list->listed) {
+        group_rows(list);
         return;
+    }
     bool all = list->method == NEIGHBOR_PAIRS;
     const double beyond = list->margin + list->skin + slack;
     threads = all ? 1 : threads;
@@ -243,6 +320,11 @@ void neighbor_build(neighbor *list, const body *bodies, const void *capsules, do
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
     for (int p = 0; p < threads; p++)
         sort_rows(list, bodies, list->n * (size_t)p / (size_t)threads, list->n * ((size_t)p + 1) / (size_t)threads);
+    group_rows(list);
+    size_t groups = neighbor_groups(list->n);
+#pragma omp parallel for num_threads(threads) schedule(static, 1)
+    for (int p = 0; p < threads; p++)
+        write_lanes(list, groups * (size_t)p / (size_t)threads, groups * ((size_t)p + 1) / (size_t)threads);
     for (int p = 0; p < threads; p++)
         free_gatherer(&parts[p]);
     free(parts);

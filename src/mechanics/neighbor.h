@@ -10,7 +10,8 @@
 #include "mechanics/kernel.h"
 #include "mechanics/mechanics.h"
 
-#define NEIGHBOR_OWN 0x80000000u
+/* Bodies that a thread takes at once, and whose rows are sorted by length into groups of KERNEL_LANES. */
+enum { NEIGHBOR_WINDOW = 128 };
 
 /* A body's partners by slot: those of lower id, then those of higher. */
 typedef struct neighbor_row {
@@ -27,13 +28,15 @@ typedef struct neighbor {
     bool flat;     /* all lies in a plane of constant z */
     bool listed;   /* the rows are written down; else they are of all pairs */
     size_t n;
-    /* entries, row after row (start[n]), in the order of the partners' ids: the slots of a pair, that of lower id
-     * first; one of them is the row's owner, and NEIGHBOR_OWN marks first where it is that one. */
-    uint32_t *first, *second;
-    size_t *start;    /* (n + 1) */
-    uint32_t *middle; /* entries with partners of lower id in a row (n) */
-    uint32_t *by_id;  /* slots in the order of ids (n): the rows of the all-pairs method */
-    size_t entries_capacity, n_capacity;
+    uint32_t *partners; /* row after row (start[n]): slots, in the order of ids */
+    size_t *start;      /* (n + 1) */
+    uint32_t *middle;   /* entries with partners of lower id in a row (n) */
+    uint32_t *by_id;    /* slots in the order of ids (n): the rows of the all-pairs method */
+    /* The same for the kernel: rows of about one length beside each other, filled up with n, which is no body. */
+    uint32_t *members;   /* (groups x KERNEL_LANES) slots of a group's owners */
+    uint32_t *lanes;     /* (group_start[groups] x KERNEL_LANES) their partners */
+    size_t *group_start; /* (groups + 1) */
+    size_t entries_capacity, lanes_capacity, n_capacity;
     grid grid;
 } neighbor;
 
@@ -47,16 +50,21 @@ void neighbor_sort(neighbor *list, const void *capsules, size_t n, uint32_t *ord
 void neighbor_build(neighbor *list, const body *bodies, const void *capsules, double reach, int threads,
                     const contact_kernel *kernel);
 
-/* Entries of all rows; where a slot's row begins (of n: the end). */
+/* Entries of all rows. */
 size_t neighbor_entries(const neighbor *list);
-static inline size_t neighbor_start(const neighbor *list, size_t slot) {
-    return list->listed ? list->start[slot] : slot * (list->n - 1);
+
+/* Groups of n bodies. Bodies begin ... end - 1 are the members of the groups from begin / KERNEL_LANES on, if begin is
+ * a multiple of NEIGHBOR_WINDOW, and so is end or it is n. */
+static inline size_t neighbor_groups(size_t n) {
+    return (n + KERNEL_LANES - 1) / KERNEL_LANES;
 }
 
-/* The pairs of count entries from entry `begin` on, in *first and *second: the list's own, or written to the buffers
- * (count each) for the all-pairs method. */
-void neighbor_pairs(const neighbor *list, const body *bodies, size_t begin, size_t count, uint32_t *first_buffer,
-                    uint32_t *second_buffer, const uint32_t **first, const uint32_t **second);
+/* A group's rows from their begin-th partners on, but for the capsules: all that is left, or what the buffer
+ * (NEIGHBOR_BLOCK x KERNEL_LANES) holds for the all-pairs method. Returns where the next call begins; 0: that was all.
+ * The slot n is no body: its capsule is nowhere. */
+enum { NEIGHBOR_BLOCK = 32 };
+size_t neighbor_rows(const neighbor *list, const body *bodies, size_t group, size_t begin, uint32_t *buffer,
+                     kernel_rows *rows);
 
 static inline neighbor_row neighbor_get(const neighbor *list, const body *bodies, size_t slot) {
     if (!list->listed) {
@@ -64,7 +72,7 @@ static inline neighbor_row neighbor_get(const neighbor *list, const body *bodies
         return (neighbor_row){list->by_id, list->by_id + rank + 1, rank, list->n - rank - 1};
     }
     size_t start = list->start[slot], middle = list->middle[slot], count = list->start[slot + 1] - start;
-    return (neighbor_row){list->first + start, list->second + start + middle, middle, count - middle};
+    return (neighbor_row){list->partners + start, list->partners + start + middle, middle, count - middle};
 }
 
 #endif

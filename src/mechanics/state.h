@@ -49,7 +49,7 @@ struct mechanics {
     bool flat;               /* two dimensions: all lies in a plane of constant z */
 
     /* computed by evaluations */
-    void *capsules;   /* (nbodies), by slot: capsule, or flat_capsule in the plane */
+    void *capsules;   /* (nbodies + 1), by slot, the last of no body: capsule, or flat_capsule in the plane */
     double *built_at; /* (nbodies x 6) both ends when the list was built, by slot */
     neighbor neighbor;
     bool listed; /* the list holds for built_at */
@@ -60,7 +60,7 @@ struct mechanics {
     mechanics_stats stats;
 };
 
-enum { STATE_CHUNK = 128 }; /* bodies that a thread takes at once, all terms one after another */
+enum { STATE_CHUNK = NEIGHBOR_WINDOW }; /* bodies that a thread takes at once, all terms one after another */
 
 /* Makes capsules and, where needed, the list hold at x; false when x is not finite. */
 bool state_refresh(mechanics *m, const double *x);

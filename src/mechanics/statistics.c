@@ -10,8 +10,9 @@ void mechanics_memory(const mechanics *m, mechanics_part parts[MECHANICS_PARTS])
                        m->particle_capacity * (2 * sizeof(uint32_t) + 5 * sizeof(double))},
         {"chains", m->chain_capacity * sizeof *m->chains + m->share_capacity * sizeof *m->shares},
         {"capsules", m->capsule_capacity * (capsule_size(m->flat) + 6 * sizeof *m->built_at)},
-        {"neighbours", list->entries_capacity * 2 * sizeof(uint32_t) +
-                           list->n_capacity * (sizeof *list->start + 2 * sizeof(uint32_t)) +
+        {"neighbours", (list->entries_capacity + list->lanes_capacity) * sizeof(uint32_t) +
+                           list->n_capacity * (sizeof *list->start + 3 * sizeof(uint32_t)) +
+                           neighbor_groups(list->n_capacity) * sizeof *list->group_start +
                            list->grid.places_capacity * sizeof *list->grid.places +
                            list->grid.boxes_capacity * sizeof *list->grid.boxes +
                            list->grid.rows_capacity * sizeof *list->grid.rows},

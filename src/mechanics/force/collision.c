@@ -9,154 +9,12 @@
 #include "mechanics/kernel.h"
 #include "mechanics/neighbor.h"
 
+#include <math.h>
 #include <stdbool.h>
-#include <string.h>
 
 static contact_law_values law_of(const double *p) {
     bool regularised = (contact_law)p[COLLISION_CONTACT] == CONTACT_REGULARISED;
     return (contact_law_values){p[COLLISION_K], p[COLLISION_REACH], regularised ? p[COLLISION_EPSILON] : 0};
-}
-
-/* Entries of the neighbour list on their way through the kernel, batch by batch, and the row that is being summed. Rows
- * go over the ends of batches: how entries fall into batches changes no bit. */
-typedef struct stream {
-    const force_frame *at;
-    double *f;
-    contact_law_values law;
-    size_t slot, row_end;           /* owner, and where its row ends */
-    double total[3], last[3];       /* on the owner so far, and of that on its last particle */
-    const uint32_t *first, *second; /* slots of the batch's pairs */
-    uint32_t first_buffer[KERNEL_BATCH], second_buffer[KERNEL_BATCH];
-    kernel_batch batch;
-} stream;
-
-/* What follows is compiled for each kind of scene, with and without flexible cells, in space and in the plane: a test a
- * row would be 0.3 % of an evaluation. */
-#define COLLISION_INLINE static inline __attribute__((always_inline))
-typedef struct kind {
-    bool chains;
-    int dimensions;
-} kind;
-
-COLLISION_INLINE void load(stream *s, size_t n, kind of) {
-    kernel_batch *b = &s->batch;
-    const void *capsules = s->at->capsules;
-    const int dimensions = of.dimensions;
-    for (size_t i = 0; i < n; i++) {
-        const size_t p = s->first[i] & ~NEIGHBOR_OWN, q = s->second[i];
-        for (int k = 0; k < of.dimensions; k++) {
-            b->r[k][i] = capsule_x(capsules, p, k, dimensions) - capsule_x(capsules, q, k, dimensions);
-            b->d1[k][i] = capsule_d(capsules, p, k, dimensions);
-            b->d2[k][i] = capsule_d(capsules, q, k, dimensions);
-        }
-        b->radii[i] = capsule_radius(capsules, p, dimensions) + capsule_radius(capsules, q, dimensions);
-        b->rests[i] = capsule_rest(capsules, p, dimensions) * capsule_rest(capsules, q, dimensions);
-        b->side[i] = s->first[i] & NEIGHBOR_OWN ? 1 : -1;
-    }
-}
-
-/* Contacts with coincident axes: the full force k R' along the pair's own random direction. */
-static void push_coincident(stream *s, size_t n) {
-    kernel_batch *b = &s->batch;
-    for (size_t i = 0; i < n; i++) {
-        if (b->square[i] >= CONTACT_COINCIDENT * CONTACT_COINCIDENT || b->g[i] >= b->reach[i])
-            continue;
-        double u[3], push = b->side[i] * s->law.k * (sqrt(b->reach[i]) - sqrt(b->g[i]));
-        const body *a = &s->at->bodies[s->first[i] & ~NEIGHBOR_OWN], *c = &s->at->bodies[s->second[i]];
-        force_direction(s->at, body_key(a), body_key(c), u);
-        for (int k = 0; k < 3; k++) {
-            b->force[k][i] = push * u[k];
-            b->last[k][i] = b->place[i] * b->force[k][i];
-        }
-    }
-}
-
-static void begin_row(stream *s) {
-    if (s->slot < s->at->nbodies)
-        s->row_end = neighbor_start(s->at->neighbor, s->slot + 1);
-    for (int k = 0; k < 3; k++)
-        s->total[k] = s->last[k] = 0;
-}
-
-/* Gives the owner the sum of its row, and goes on to the next. The last particle of a chain's segment belongs to the
- * next one: its share waits there until all bodies are done. */
-COLLISION_INLINE void end_row(stream *s, kind of) {
-    const body *owner = &s->at->bodies[s->slot];
-    double *first = s->f + 3 * (size_t)owner->first, *last = first + 3 * (size_t)(owner->count - 1);
-    if (of.chains && owner->chained) {
-        last = s->at->shares + 3 * (size_t)(owner->first + 1);
-        last[0] = last[1] = last[2] = 0;
-    }
-    for (int k = 0; k < of.dimensions; k++) {
-        first[k] += s->total[k] - s->last[k];
-        last[k] += s->last[k];
-    }
-    s->slot++;
-    begin_row(s);
-}
-
-/* Sums entries begin ... end - 1 of the batch, in the order of the partners' ids. */
-COLLISION_INLINE void sum_entries(stream *s, size_t begin, size_t end, kind of) {
-    const kernel_batch *b = &s->batch;
-    double total[3], last[3];
-    memcpy(total, s->total, sizeof total);
-    memcpy(last, s->last, sizeof last);
-    for (size_t i = begin; i < end; i++)
-        for (int k = 0; k < of.dimensions; k++) {
-            total[k] += b->force[k][i];
-            last[k] += b->last[k][i];
-        }
-    memcpy(s->total, total, sizeof total);
-    memcpy(s->last, last, sizeof last);
-}
-
-/* Computes and sums n entries from `begin` on. */
-COLLISION_INLINE void pass(stream *s, size_t begin, size_t n, kind of) {
-    const contact_kernel *kernel = s->at->kernel;
-    neighbor_pairs(s->at->neighbor, s->at->bodies, begin, n, s->first_buffer, s->second_buffer, &s->first, &s->second);
-    load(s, n, of);
-    if (kernel->contact[s->at->cocci][s->at->flat](&s->law, n, &s->batch))
-        push_coincident(s, n);
-    for (size_t entry = begin; entry < begin + n;) {
-        while (s->row_end == entry)
-            end_row(s, of);
-        size_t stop = s->row_end < begin + n ? s->row_end : begin + n;
-        sum_entries(s, entry - begin, stop - begin, of);
-        entry = stop;
-    }
-}
-
-COLLISION_INLINE void add_rows(const double *p, const force_frame *at, size_t begin, size_t end, double *f, kind of) {
-    stream s;
-    s.at = at;
-    s.f = f;
-    s.law = law_of(p);
-    s.slot = begin;
-    begin_row(&s);
-    size_t entry = neighbor_start(at->neighbor, begin), stop = neighbor_start(at->neighbor, end);
-    for (; entry < stop; entry += KERNEL_BATCH)
-        pass(&s, entry, stop - entry < KERNEL_BATCH ? stop - entry : KERNEL_BATCH, of);
-    while (s.slot < end)
-        end_row(&s, of);
-}
-
-static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
-    if (SARCINA_FLEXIBLE && at->nchains)
-        add_rows(p, at, begin, end, f, (kind){true, 3});
-    else if (at->flat)
-        add_rows(p, at, begin, end, f, (kind){false, 2});
-    else
-        add_rows(p, at, begin, end, f, (kind){false, 3});
-}
-
-/* The owners of a chain's particles take the shares that its segments left for them. */
-static void add_chain(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
-    (void)p;
-    for (size_t c = begin; c < end; c++) {
-        size_t first = 3 * (size_t)at->chains[c].first;
-        for (size_t i = first + 3; i < first + 3 * (size_t)at->chains[c].count; i++)
-            f[i] += at->shares[i];
-    }
 }
 
 static contact_pair pair_of(const force_frame *at, const capsule *a, const capsule *b) {
@@ -185,6 +43,105 @@ static contact_result contact_with(const force_frame *at, contact_law_values law
     capsule room[2];
     return (at->cocci ? touch_spheres : touch_segments)(at, law, capsule_get(at->capsules, slot, at->flat, &room[0]),
                                                         capsule_get(at->capsules, partner, at->flat, &room[1]));
+}
+
+/* What follows is compiled for each kind of scene, with and without flexible cells, in space and in the plane: a test a
+ * row would be 0.3 % of an evaluation. */
+#define COLLISION_INLINE static inline __attribute__((always_inline))
+typedef struct kind {
+    bool chains;
+    int dimensions;
+} kind;
+
+/* Gives an owner the sum of its row. The last particle of a chain's segment belongs to the next one: its share waits
+ * there until all bodies are done. */
+COLLISION_INLINE void give(const force_frame *at, const body *owner, const kernel_sums *sums, size_t lane, double *f,
+                           kind of) {
+    double *first = f + 3 * (size_t)owner->first, *last = first + 3 * (size_t)(owner->count - 1);
+    if (of.chains && owner->chained) {
+        last = at->shares + 3 * (size_t)(owner->first + 1);
+        last[0] = last[1] = last[2] = 0;
+    }
+    for (int k = 0; k < of.dimensions; k++) {
+        first[k] += sums->total[k][lane] - sums->last[k][lane];
+        last[k] += sums->last[k][lane];
+    }
+}
+
+/* Contact with coincident axes: the full force k R' along the pair's own random direction. */
+static void push_coincident(const force_frame *at, contact_law_values law, const body *a, const body *b,
+                            contact_result *c) {
+    if (c->square >= CONTACT_COINCIDENT * CONTACT_COINCIDENT || c->g >= c->reach)
+        return;
+    force_direction(at, body_key(a), body_key(b), c->delta);
+    c->scale = law.k * (sqrt(c->reach) - sqrt(c->g));
+}
+
+/* The sums of an owner's row one by one, as the kernel makes them, with those that have coincident axes. */
+static void sum_slowly(const force_frame *at, contact_law_values law, uint32_t slot, size_t lane, kernel_sums *sums) {
+    const body *own = &at->bodies[slot];
+    neighbor_row row = neighbor_get(at->neighbor, at->bodies, slot);
+    for (int k = 0; k < 3; k++)
+        sums->total[k][lane] = sums->last[k][lane] = 0;
+    for (size_t i = 0; i < row.nlower + row.nupper; i++) {
+        bool own_is_a = i >= row.nlower;
+        uint32_t partner = own_is_a ? row.upper[i - row.nlower] : row.lower[i];
+        const body *other = &at->bodies[partner];
+        contact_result c = own_is_a ? contact_with(at, law, slot, partner) : contact_with(at, law, partner, slot);
+        push_coincident(at, law, own_is_a ? own : other, own_is_a ? other : own, &c);
+        double place = own_is_a ? c.s : c.t, scale = own_is_a ? c.scale : -c.scale;
+        for (int k = 0; k < 3; k++) {
+            double force = scale * c.delta[k];
+            sums->total[k][lane] += force;
+            sums->last[k][lane] += place * force;
+        }
+    }
+}
+
+/* The sums of all owners of a group. */
+static void sum_group(const force_frame *at, const contact_law_values *law, size_t group, kernel_rows *rows,
+                      kernel_sums *sums) {
+    uint32_t buffer[NEIGHBOR_BLOCK * KERNEL_LANES];
+    bool coincident = false;
+    size_t begin = 0;
+    do {
+        begin = neighbor_rows(at->neighbor, at->bodies, group, begin, buffer, rows);
+        coincident |= at->kernel->rows[at->cocci][at->flat](law, rows, sums);
+    } while (begin);
+    for (size_t l = 0; coincident && l < KERNEL_LANES; l++)
+        if (rows->owners[l] < at->nbodies)
+            sum_slowly(at, *law, rows->owners[l], l, sums);
+}
+
+COLLISION_INLINE void add_rows(const double *p, const force_frame *at, size_t begin, size_t end, double *f, kind of) {
+    const contact_law_values law = law_of(p);
+    kernel_rows rows = {.capsules = at->capsules};
+    kernel_sums sums;
+    for (size_t g = begin / KERNEL_LANES; g < neighbor_groups(end); g++) {
+        sum_group(at, &law, g, &rows, &sums);
+        for (size_t l = 0; l < KERNEL_LANES; l++)
+            if (rows.owners[l] < at->nbodies)
+                give(at, &at->bodies[rows.owners[l]], &sums, l, f, of);
+    }
+}
+
+static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+    if (SARCINA_FLEXIBLE && at->nchains)
+        add_rows(p, at, begin, end, f, (kind){true, 3});
+    else if (at->flat)
+        add_rows(p, at, begin, end, f, (kind){false, 2});
+    else
+        add_rows(p, at, begin, end, f, (kind){false, 3});
+}
+
+/* The owners of a chain's particles take the shares that its segments left for them. */
+static void add_chain(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+    (void)p;
+    for (size_t c = begin; c < end; c++) {
+        size_t first = 3 * (size_t)at->chains[c].first;
+        for (size_t i = first + 3; i < first + 3 * (size_t)at->chains[c].count; i++)
+            f[i] += at->shares[i];
+    }
 }
 
 static double energy(const double *p, const force_frame *at, size_t slot) {
