@@ -124,7 +124,7 @@ static forecast_run *add_run(interp *in, const forecast_run *r) {
     f->runs = alloc_grow(f->runs, &f->run_capacity, f->nruns + 1, sizeof *f->runs);
     forecast_run *mine = &f->runs[f->nruns++];
     *mine = *r;
-    mine->cycles *= interp_check_passes(in) / f->scale;
+    mine->times = interp_check_passes(in) / f->scale;
     mine->until = expr_keep(r->until);
     mine->ends = INFINITY;
     note_laws(interp_scene(in), mine->law);
@@ -196,45 +196,6 @@ static void add_cycle(forecast_end *end, const forecast_run *run) {
     end->relaxed += relax;
 }
 
-/* As many cells as the rehearsal had. */
-static void scale(double by, double *mass, forecast_end *end) {
-    for (size_t i = 0; i < FORECAST_SPECIES; i++) {
-        mass[i] *= by;
-        end->of[i] *= by;
-    }
-    end->cells *= by;
-}
-
-forecast_end forecast_project(interp *in, const forecast *f) {
-    static const double most_cycles = 1e6, most_cells = 1e9, tests = 1000;
-    const scene *s = interp_scene(in);
-    forecast_end end = {0};
-    double mass[FORECAST_SPECIES];
-    memcpy(end.of, f->cells, sizeof end.of);
-    memcpy(mass, f->mass, sizeof mass);
-    end.cells = sum(end.of, species_of(s));
-    for (size_t r = 0; r < f->nruns; r++) {
-        const forecast_run *run = &f->runs[r];
-        double cycles = run->upto ? run->cycles - end.load.cycles : run->cycles;
-        cycles = fmin(cycles, run->ends);
-        double stride = fmax(1, ceil(cycles / tests));
-        bool known = true;
-        for (double i = 0; i < cycles && i < most_cycles && end.cells < most_cells; i++) {
-            if (run->until && known && fmod(i, stride) == 0 &&
-                forecast_until(in, run->until, end.cells, end.load.cycles, end.time, end.relaxed, &known))
-                break;
-            if (run->grow > 0)
-                grow(run->law, run->grow, mass, end.of);
-            end.cells = sum(end.of, species_of(s));
-            add_cycle(&end, run);
-        }
-        if (isfinite(run->ends) && end.cells > 0)
-            scale(run->ended_with / end.cells, mass, &end);
-        end.open = run->until && !known && !isfinite(run->ends) ? run->until : end.open;
-    }
-    return end;
-}
-
 static void add_load(forecast_load *to, double times, const forecast_load *l) {
     for (int i = 0; i < FORECAST_BINS; i++) {
         to->relaxed[i] += times * l->relaxed[i];
@@ -245,6 +206,48 @@ static void add_load(forecast_load *to, double times, const forecast_load *l) {
     to->frames += times * l->frames;
     to->pixels += times * l->pixels;
     to->edges += times * l->edges;
+}
+
+/* One run, or all of those of a loop: without a test they follow one another; with one, the loop takes back what made
+ * it hold, and each is as the first. */
+static void project_run(interp *in, const forecast_run *run, double mass[FORECAST_SPECIES], forecast_end *end) {
+    static const double most_cycles = 1e6, most_cells = 1e9, tests = 1000;
+    const scene *s = interp_scene(in);
+    const forecast_load before = end->load;
+    double cycles = run->upto ? run->cycles - end->load.cycles : run->until ? run->cycles : run->cycles * run->times;
+    cycles = fmin(cycles, run->ends);
+    double stride = fmax(1, ceil(cycles / tests));
+    bool known = true;
+    for (double i = 0; i < cycles && i < most_cycles && end->cells < most_cells; i++) {
+        if (run->until && known && fmod(i, stride) == 0 &&
+            forecast_until(in, run->until, end->cells, end->load.cycles, end->time, end->relaxed, &known))
+            break;
+        if (run->grow > 0)
+            grow(run->law, run->grow, mass, end->of);
+        end->cells = sum(end->of, species_of(s));
+        add_cycle(end, run);
+    }
+    if (isfinite(run->ends)) { /* known to the cell */
+        memcpy(end->of, run->ended, sizeof end->of);
+        memcpy(mass, run->mass, sizeof run->mass);
+        end->cells = sum(end->of, species_of(interp_scene(in)));
+    }
+    if (run->until && run->times > 1) {
+        add_load(&end->load, run->times - 1, &end->load);
+        add_load(&end->load, 1 - run->times, &before);
+    }
+    end->open = run->until && !known && !isfinite(run->ends) ? run->until : end->open;
+}
+
+forecast_end forecast_project(interp *in, const forecast *f) {
+    forecast_end end = {0};
+    double mass[FORECAST_SPECIES];
+    memcpy(end.of, f->cells, sizeof end.of);
+    memcpy(mass, f->mass, sizeof mass);
+    end.cells = sum(end.of, species_of(interp_scene(in)));
+    for (size_t r = 0; r < f->nruns; r++)
+        project_run(in, &f->runs[r], mass, &end);
+    return end;
 }
 
 /* What a scene took that a clear ends; behind it all begins anew, as often as the loop around it says. */

@@ -30,10 +30,12 @@ typedef struct forecast_tradeoff {
 } forecast_tradeoff;
 
 typedef struct forecast_run {
-    double cycles, grow, relax; /* s; relax: infinite where it ends by force alone */
-    double force;               /* it may rest before `relax` is over, 1e-21 N; 0: no */
-    expr *until;                /* owned; NULL: none */
-    double ends, ended_with;    /* cycles after which it held in the rehearsal, and cells then; infinite: not seen */
+    double times, cycles; /* how often it is run, of so many cycles */
+    double grow, relax;   /* s; relax: infinite where it ends by force alone */
+    double force;         /* it may rest before `relax` is over, 1e-21 N; 0: no */
+    expr *until;          /* owned; NULL: none */
+    double ends;          /* cycles after which it held in the rehearsal; infinite: not seen */
+    double ended[FORECAST_SPECIES], mass[FORECAST_SPECIES]; /* cells then, and their mass, pg */
     forecast_law law[FORECAST_SPECIES];
     bool upto;
     bool still;                   /* it is one picture, and no cycle */

@@ -97,6 +97,14 @@ static double mass_of(const scene *s) {
     return mass;
 }
 
+static void count_cells(const scene *s, double cells[FORECAST_SPECIES], double mass[FORECAST_SPECIES]) {
+    for (size_t i = 0; i < s->colony->cell.count; i++)
+        if (s->colony->cell.species[i] < FORECAST_SPECIES) {
+            cells[s->colony->cell.species[i]]++;
+            mass[s->colony->cell.species[i]] += s->colony->cell.mass[i];
+        }
+}
+
 /* Once an eighth of the time has gone, not every growth step is relaxed: so more cells are seen. */
 static bool is_due(const rehearsal *r) {
     static const double faithful = 0.125, growth = 1.12;
@@ -132,13 +140,13 @@ static int relax(rehearsal *r, const forecast_run *run, bool *whole, diag *d) {
 /* The cycles of a run, as far as there is time; *on: there is more. */
 static int rehearse_run(rehearsal *r, forecast_run *run, bool *on, diag *d) {
     scene *s = r->s;
-    double cycles = run->upto ? run->cycles - (double)s->step : run->cycles;
+    double cycles = run->upto ? run->cycles - (double)s->step : run->cycles * (run->until ? 1 : run->times);
     int status = SARCINA_OK;
     for (double i = 0; i < cycles && *on && !status; i++) {
         bool done = false;
         if (run->until && interp_truth(r->in, run->until, &done, NULL) == SARCINA_OK && done) {
             run->ends = i;
-            run->ended_with = (double)s->colony->cell.count;
+            count_cells(s, run->ended, run->mass);
             break;
         }
         double begin = forecast_clock();
