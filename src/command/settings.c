@@ -133,16 +133,22 @@ void command_settings(command_table *t) {
         .run = run_accuracy};
     char *head = head_of("accuracy PRESET", accuracy_presets, accuracy_preset_count, sizeof accuracy_presets[0]);
     command_add_style(t, &accuracy, head, "Method and step of the relaxation", accuracy_params, 1, 0);
-    for (size_t i = 0; i < accuracy_preset_count; i++)
-        command_add_choice(t, accuracy_presets[i].name, accuracy_presets[i].summary);
+    for (size_t i = 0; i < accuracy_preset_count; i++) {
+        const accuracy_preset *p = &accuracy_presets[i];
+        char *text = alloc_format("%s. Validated up to %zu cells: %s", p->summary, p->validated_to, p->validated);
+        command_add_choice(t, p->name, text);
+        free(text);
+    }
     free(head);
-    const command_form integrator = {.details =
-                                         "For those who want more than 'accuracy' offers; the last of both counts.",
-                                     .example = "integrator verlet step 1ms\nintegrator verlet inertia 0.1\nintegrator "
-                                                "euler\nintegrator rk4\nintegrator rkf45\nintegrator "
-                                                "rk8pd\nintegrator bs32\nintegrator dopri5 tol 1e-3",
-                                     .flags = COMMAND_DECLARES,
-                                     .run = run_integrator};
+    const command_form integrator = {
+        .details = "For those who want more than 'accuracy' offers; the last of both counts. What "
+                   "each costs and how exact it is, measured, and which were tried and left "
+                   "out: help methods.",
+        .example = "integrator verlet step 1ms\nintegrator verlet inertia 0.1\nintegrator "
+                   "euler\nintegrator rk4\nintegrator rkf45\nintegrator "
+                   "rk8pd\nintegrator bs32\nintegrator dopri5 tol 1e-3",
+        .flags = COMMAND_DECLARES,
+        .run = run_integrator};
     const char *names[INTEGRATOR_COUNT];
     for (int i = 0; i < INTEGRATOR_COUNT; i++)
         names[i] = integrator_styles[i]->name;

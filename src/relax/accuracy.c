@@ -5,7 +5,8 @@
  * Verlet's steps are at most 2 ms, 0.7 of the limit of stability, and longer as inertia fades (integrator/verlet.c):
  * that is where it saves, and where its error is. Against steps of 0.5 ms, E. coli from 2,000 rods on, radius of
  * gyration a growth step (of 1.2 %): steps of 2 ms +.008 +- .009 %, inertia .05 +.022 +- .008, .1 +.047 +- .008, .2
- * +.093 +- .007, as its size; paper +.014 +- .010. */
+ * +.093 +- .007, as its size; paper +.014 +- .010. What that comes to from one cell to 3,000
+ * rods: scripts/tradeoff ecoli_grown. */
 #include "relax/relax.h"
 
 #include "base/table.h"
@@ -14,30 +15,36 @@ const accuracy_preset accuracy_presets[] = {
     {"draft",
      "velocity Verlet as in balanced, inertia 0.3: for trying out",
      {.integrator = INTEGRATOR_VERLET, .most = 2e-3, .inertia = 0.3},
-     "E. coli to 300 rods from one cell, against reference (20 seeds): radius of gyration 0.0 +- 0.6 %, first stacking "
-     "-1 +- 3 %; at 3,000 rods 10 growth steps make the radius 1.0 +- 0.4 % too large, from one cell it is some 3 %",
-     300},
+     "E. coli from one cell, against steps of 1 ms (15 seeds): radius of gyration 0.2 +- 0.5 % more at 300 rods "
+     "and 0.8 +- 0.9 % at 1,000, mean layer -0.2 +- 0.8 % and -0.6 +- 1.4 %, all equivalent within 2 %; at "
+     "3,000 the radius is 2.2 +- 1.4 % more, too wide; first stacking, against reference (20 seeds), -1 +- 3 %",
+     1000},
     {"fast",
      "velocity Verlet as in balanced, inertia 0.15",
      {.integrator = INTEGRATOR_VERLET, .most = 2e-3, .inertia = 0.15},
-     "E. coli to 300 rods from one cell, against reference (20 seeds): radius of gyration -0.2 +- 0.5 %, first "
-     "stacking "
-     "-2 +- 3 %; at 3,000 rods 10 growth steps make the radius 0.4 +- 0.3 % too large, from one cell it is 2 to 3 %",
-     300},
+     "E. coli from one cell, against steps of 1 ms (15 seeds): radius of gyration 0.1 +- 0.7 % more at 300 rods "
+     "and 0.4 +- 1.0 % at 1,000, mean layer 0.1 +- 0.8 % and -0.2 +- 1.5 %, all equivalent within 2 %; at 3,000 "
+     "radius 0.5 +- 1.5 %, equivalent, mean layer -0.3 +- 2.5 %, which needs more seeds; first stacking, "
+     "against reference (20 seeds), -2 +- 3 %",
+     1000},
     {"balanced",
      "velocity Verlet, steps of at most 2 ms, longer as inertia fades (0.07)",
      {.integrator = INTEGRATOR_VERLET, .most = 2e-3, .inertia = 0.07},
-     "E. coli to 300 rods from one cell, against reference (20 seeds): radius of gyration 0.1 +- 0.6 %, first stacking "
-     "0 +- 2 %; 10 growth steps at 3,000 rods, against paper (5 seeds): radius 0.1 +- 0.2 %, thickness -0.2 +- 0.5 %; "
-     "3,000 from one cell (8 seeds): radius 1.8 +- 3.1 % above that by steps of 1 ms, 2.5 +- 2.4 % above paper's; "
-     "flocs of 370 cells, against steps of 1 ms (6 seeds): sticking links 1 +- 4 %, radius -1 +- 6 %",
+     "E. coli from one cell, against steps of 1 ms (15 seeds): radius of gyration 0.1 +- 0.6 % more at 300 "
+     "rods, 0.1 +- 1.0 % at 1,000, 0.3 +- 1.2 % at 3,000, mean layer -0.2 +- 0.7 %, -0.2 +- 1.3 %, -0.1 +- 1.8 "
+     "%, all equivalent within 2 %; order of neighbours (nematic) 1.6 +- 3.5 % at 3,000, which needs more "
+     "seeds; against paper, at 3,000 (16 seeds): radius 1.1 +- 0.9 %, equivalent, mean layer -1.2 +- 2.0 %, "
+     "order 2.8 +- 2.6 %, for paper lies as far from steps of 1 ms; first stacking, against reference (20 "
+     "seeds), 0 +- 2 %; flocs of 370 cells, against steps of 1 ms (6 seeds): sticking links 1 +- 4 %, radius -1 "
+     "+- 6 %",
      3000},
     {"paper",
      "Dormand-Prince 5(4) as published: tolerance 0.1 um and 0.1 um/s, begun anew every 0.2 s",
      {.integrator = INTEGRATOR_DOPRI5, .tolerance = 0.1, .segment = 0.2},
-     "the original authors' program, state by state and in 20 colonies of 400 rods; its tolerance shows: against "
-     "reference, E. coli stacks 7 +- 3 % earlier, and the radius of gyration of 300 rods is 1.3 +- 0.5 % less (20 "
-     "seeds)",
+     "the original authors' program, state by state and in 20 colonies of 400 rods; its tolerance shows: "
+     "against reference, E. coli stacks 7 +- 3 % earlier, and the radius of gyration of 300 rods is 1.3 +- 0.5 "
+     "% less (20 seeds); against steps of 1 ms (15 seeds) it is 0.6 +- 0.5 % less at 300 rods, 0.8 +- 1.4 % at "
+     "3,000",
      400},
     {"reference",
      "Dormand-Prince 5(4), tolerance 0.001 um and 0.001 um/s",

@@ -198,8 +198,10 @@ void signature_free(signature *s) {
         slot_free(&s->head[i]);
     for (size_t i = 0; i < s->nkey; i++)
         slot_free(&s->key[i]);
-    for (size_t i = 0; i < s->nchoices; i++)
+    for (size_t i = 0; i < s->nchoices; i++) {
         free(s->choices[i].choice);
+        free(s->choices[i].summary);
+    }
     free(s->choices);
     free(s->head);
     free(s->key);
@@ -293,7 +295,7 @@ void command_cite(command_table *t, const char *formula, const char *source) {
 void command_add_choice(command_table *t, const char *choice, const char *summary) {
     signature *s = last_form(t);
     s->choices = alloc_resize(s->choices, s->nchoices + 1, sizeof *s->choices);
-    s->choices[s->nchoices++] = (choice_text){alloc_copy(choice), summary};
+    s->choices[s->nchoices++] = (choice_text){alloc_copy(choice), alloc_copy(summary)};
 }
 
 const char *signature_choice(const signature *s, const char *choice) {

@@ -62,8 +62,7 @@ typedef struct slot {
 } slot;
 
 typedef struct choice_text {
-    char *choice;
-    const char *summary;
+    char *choice, *summary;
 } choice_text;
 
 typedef struct signature {

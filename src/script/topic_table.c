@@ -98,7 +98,8 @@ bool topic_row_accuracy(size_t i, page *name, page *text) {
     if (i >= accuracy_preset_count)
         return false;
     page_put(name, "%s", accuracy_presets[i].name);
-    page_put(text, "%s. Validated: %s", accuracy_presets[i].summary, accuracy_presets[i].validated);
+    page_put(text, "%s. Validated up to %zu cells: %s", accuracy_presets[i].summary, accuracy_presets[i].validated_to,
+             accuracy_presets[i].validated);
     return true;
 }
 
