@@ -45,7 +45,8 @@ static void take(interp *in, const tradeoff_plan *plan, const tradeoff_row *rows
                  preset->name, rows[best].error.most, plan->relax, rows[best].cost.evaluations);
 }
 
-static void tell_none(interp *in, const tradeoff_row *rows, size_t n, double bound) {
+static void tell_none(interp *in, const tradeoff_row *rows, size_t n, const tradeoff_reference *reference,
+                      double bound) {
     int nearest = tradeoff_most_exact(rows, n);
     bool chaos = false;
     for (size_t i = 0; i < n; i++)
@@ -54,8 +55,9 @@ static void tell_none(interp *in, const tradeoff_row *rows, size_t n, double bou
         chaos ? "; where trajectories diverge no positions tell: see 'tradeoff 1s cycles 10 seeds 5'" : "";
     if (nearest >= 0)
         interp_warn(in,
-                    "no preset is known to keep within %g um here: %s is off by %.2g um; accuracy stays as it was%s",
-                    bound, accuracy_presets[nearest].name, rows[nearest].error.most, why);
+                    "no preset is known to keep within %g um here: %s is off by %.2g um of a reference that is known "
+                    "to %.2g um; accuracy stays as it was%s",
+                    bound, accuracy_presets[nearest].name, rows[nearest].error.most, reference->error.most, why);
     else
         interp_warn(in, "no preset is known to keep within %g um here; accuracy stays as it was%s", bound, why);
 }
@@ -81,14 +83,14 @@ static int run_auto(interp *in, const args *a, diag *d) {
     if (best >= 0)
         take(in, &plan, rows, best);
     else if (!status)
-        tell_none(in, rows, n, bound);
+        tell_none(in, rows, n, &reference, bound);
     free(methods);
     free(rows);
     return status;
 }
 
 static const param params[] = {
-    {"error:length!(0,)", "largest error of a particle's position at the end of a relaxation"},
+    {"error:length!(0,1mm)", "largest error of a particle's position at the end of a relaxation"},
 };
 
 static const command_form forms[] = {

@@ -197,6 +197,11 @@ static int read_number(const reader *r, const char *word, const column *c, cell_
     return SARCINA_OK;
 }
 
+static void refuse_group(const reader *r, const char *name, diag *d) {
+    diag_error(d, "%s:%zu: no group '%s'", r->table.path, r->table.row, name);
+    diag_help(d, "'group %s where 0' before makes an empty one, which these cells join", name);
+}
+
 /* Names of groups, parted by blanks. */
 static int read_groups(const reader *r, const char *word, cell_row *row, diag *d) {
     for (const char *at = word + strspn(word, " "); *at; at += strspn(at, " ")) {
@@ -205,7 +210,7 @@ static int read_groups(const reader *r, const char *word, cell_row *row, diag *d
         if (bit >= 0)
             row->groups |= (uint64_t)1 << bit;
         else
-            diag_error(d, "%s:%zu: no group '%s'", r->table.path, r->table.row, name);
+            refuse_group(r, name, d);
         at += strlen(name);
         free(name);
         if (bit < 0)

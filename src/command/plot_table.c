@@ -409,6 +409,24 @@ static bool has(const struct plot_table_memory *m, int wanted) {
     return false;
 }
 
+/* The step asked for is that of bins, and they are there then. */
+static int check_step(const plot_table_request *r, const struct plot_table_memory *m, diag *d) {
+    double near = NAN;
+    if (isnan(r->step))
+        return SARCINA_OK;
+    if (!m->x_end) {
+        diag_error(d, "at STEP chooses bins, which are drawn against ID.low, not against %s", r->x);
+        return diag_help(d, "plot table lengths.count vs lengths.low from FILE at 8 file F.svg");
+    }
+    for (size_t i = 0; i < m->nsamples; i++)
+        if (isnan(near) || fabs(m->samples[i].step - r->step) < fabs(near - r->step))
+            near = m->samples[i].step;
+    if (near == r->step)
+        return SARCINA_OK;
+    diag_error(d, "no table has bins at step %.0f", r->step);
+    return diag_help(d, "the nearest is %.0f", near);
+}
+
 /* Every quantity asked for is there. */
 static int check(const plot_table_request *r, const struct plot_table_memory *m, diag *d) {
     for (size_t i = 0; i < r->ny; i++)
@@ -434,6 +452,8 @@ int plot_table_read(const plot_table_request *r, plot_table *out, diag *d) {
         status = read_table(r, m, i, d);
     if (!status)
         status = check(r, m, d);
+    if (!status)
+        status = check_step(r, m, d);
     return status ? status : make_curves(r, out, d);
 }
 

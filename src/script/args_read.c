@@ -5,11 +5,12 @@
 #include "base/alloc.h"
 #include "base/table.h"
 #include "script/foreign.h"
+#include "script/line.h"
 #include "script/names.h"
 #include "script/state.h"
 
-#include <math.h>
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -172,6 +173,26 @@ static const char *missing_keyword(const args *a) {
     return NULL;
 }
 
+/* A keyword that takes any words, where no other does: what was typed without it may be for it. */
+static const char *keyword_of_words(const signature *f) {
+    const char *found = NULL;
+    size_t n = 0;
+    for (size_t i = 0; i < f->nkey; i++)
+        if (f->key[i].kind == SLOT_WORD && f->key[i].many) {
+            found = f->key[i].name;
+            n++;
+        }
+    return n == 1 ? found : NULL;
+}
+
+/* Does a number without its unit stand before the word? */
+static bool follows_number(const reader *r, const word *w) {
+    size_t i = w->from;
+    while (i > 0 && line_is_blank(r->text.chars[i - 1]))
+        i--;
+    return i > 0 && isdigit((unsigned char)r->text.chars[i - 1]);
+}
+
 static int refuse_keyword(args *a, reader *r, const word *w, diag *d) {
     const signature *f = a->form;
     name_list l = {0};
@@ -179,13 +200,16 @@ static int refuse_keyword(args *a, reader *r, const word *w, diag *d) {
         names_add(&l, f->key[i].name);
     diag_error(d, "%s has no keyword '%s'", f->head[0].name, w->text);
     unit u;
-    if (units_find(a->in->host->units, w->text, w->n, &u, NULL) == SARCINA_OK && w->n)
+    if (w->n && follows_number(r, w) && units_find(a->in->host->units, w->text, w->n, &u, NULL) == SARCINA_OK)
         diag_help(d, "a unit follows its number without a blank");
     else if (w->n == 1 && strchr("+-*/%^<>=!", *w->text))
         diag_help(d, "blanks stand in a one-word expression only inside ( ) or quotes");
-    const char *missing = missing_keyword(a);
-    if (missing && !names_nearest(&l, w->text))
+    const char *missing = missing_keyword(a), *words = keyword_of_words(f);
+    bool number = isdigit((unsigned char)*w->text);
+    if (missing && !number && !names_nearest(&l, w->text))
         diag_help(d, "did you mean '%s'?", missing);
+    else if ((missing || words) && !names_nearest(&l, w->text))
+        diag_help(d, "did you mean '%s %s'?", missing ? missing : words, w->text);
     else
         names_suggest(&l, w->text, "keywords", d);
     diag_place(d, reader_word_span(r, w));
@@ -280,6 +304,13 @@ static bool refuse_swallowed(const args *a, diag *d) {
     return false;
 }
 
+/* "accuracy auto": the words that a form begins with. */
+static void first_words(const signature *f, char out[128]) {
+    size_t used = (size_t)snprintf(out, 128, "%s", f->head[0].name);
+    for (size_t i = 1; i < f->nhead && f->head[i].kind == SLOT_LITERAL && used + 50 < 128; i++)
+        used += (size_t)snprintf(out + used, 128 - used, " %s", f->head[i].name);
+}
+
 static int refuse_missing(const args *a, const slot *s, reader *r, diag *d) {
     char names[256];
     if (refuse_swallowed(a, d))
@@ -290,7 +321,9 @@ static int refuse_missing(const args *a, const slot *s, reader *r, diag *d) {
         if (other->group == s->group && other != s)
             used += (size_t)snprintf(names + used, sizeof names - used, " or %s", other->name);
     }
-    diag_error(d, "%s needs %s", a->form->head[0].name, names);
+    char form[128];
+    first_words(a->form, form);
+    diag_error(d, "%s needs %s", form, names);
     size_t end = reader_end(r);
     diag_place(d, reader_span(r, end, end));
     return SARCINA_ERROR;

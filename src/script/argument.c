@@ -38,6 +38,31 @@ void argument_free(argument *v) {
     *v = (argument){0};
 }
 
+/* A kind as people call it. */
+static const char *noun_of(const char *kind) {
+    static const struct {
+        const char *kind, *noun;
+    } nouns[] = {{"int", "whole number"},
+                 {"expr", "expression"},
+                 {"cellexpr", "expression of the cells"},
+                 {"cell", "value of the cells"},
+                 {"file", "file name"},
+                 {"fileoff", "file name, or off"},
+                 {"cycles", "number of cycles, or a time"},
+                 {"everycmd", "number of cycles, or a time"},
+                 {"flag", "yes or no"}};
+    for (size_t i = 0; i < TABLE_COUNT(nouns); i++)
+        if (strcmp(kind, nouns[i].kind) == 0)
+            return nouns[i].noun;
+    return kind;
+}
+
+static void expected(const slot *s, diag *d) {
+    const char *noun = noun_of(s->kind_name);
+    const char *article = strncmp(noun, "yes", 3) == 0 ? "" : strchr("aeiou", *noun) ? "an " : "a ";
+    diag_error(d, "%s: expected %s%s", s->name, article, noun);
+}
+
 int argument_next_word(args *a, const slot *s, reader *r, word *w, diag *d) {
     int status = reader_peek(r, w, d);
     if (status || w->text)
@@ -45,7 +70,7 @@ int argument_next_word(args *a, const slot *s, reader *r, word *w, diag *d) {
     if (isupper((unsigned char)*s->name))
         diag_error(d, "%s needs %s", a->form->head[0].name, s->name);
     else
-        diag_error(d, "%s: expected %s %s", s->name, strchr("aeiou", *s->kind_name) ? "an" : "a", s->kind_name);
+        expected(s, d);
     if (s->kind == SLOT_COLOR)
         diag_help(d, "# begins a comment: a colour code stands in quotes, \"#ff8800\"");
     size_t end = reader_end(r);

@@ -58,7 +58,10 @@ static int check_range(const slot *s, const word *w, double si, bool bare, diag 
     const char *usual[1];
     if (bare && text == s->hi_text && s->percent && dim_equal(s->d, DIM_MASS))
         diag_help(d, "50%% is of the natural whole (the mass at division)");
-    else if (bare && text == s->hi_text && units_usual(s->d, usual, 1))
+    else if (bare && text == s->hi_text && s->percent && dim_is_none(s->d))
+        diag_help(d, "percents are written %s%%", w->text);
+    else if (bare && text == s->hi_text && (!dim_is_none(s->d) || strcmp(s->kind_name, "angle") == 0) &&
+             units_usual(s->d, usual, 1))
         diag_help(d, "a bare number is in the script's units; %s%s?", w->text, usual[0]);
     return SARCINA_ERROR;
 }
