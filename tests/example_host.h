@@ -41,11 +41,12 @@ static inline void example_host_files(script_host *h) {
     }
 }
 
-/* Runs commands and blocks one after the other, as typed at the prompt. Returns the first status that is not 0. */
-static inline int example_host_type(interp *in, const char *script) {
+/* Runs commands and blocks one after the other, as typed at the prompt. Returns the first status that is not 0; there
+ * it stops, unless it is to go on, as people do. */
+static inline int example_host_type(interp *in, const char *script, bool go_on) {
     char *text = alloc_copy("");
     int status = SARCINA_OK;
-    while (*script && !status) {
+    while (*script && (go_on || !status)) {
         size_t n = strcspn(script, "\n");
         char *longer = alloc_format("%s%.*s\n", text, (int)n, script);
         free(text);
@@ -53,7 +54,9 @@ static inline int example_host_type(interp *in, const char *script) {
         script += n + (script[n] == '\n');
         if (block_is_open(text) && *script)
             continue;
-        status = interp_run_line(in, text);
+        text[strlen(text) - 1] = '\0';
+        int line = interp_run_line(in, text);
+        status = status ? status : line;
         *text = '\0';
     }
     free(text);
@@ -64,7 +67,7 @@ static inline int example_host_type(interp *in, const char *script) {
 static inline interp *example_host_scene(script_host *h) {
     example_host_files(h);
     interp *in = interp_create(&h->host);
-    int status = example_host_type(in, h->commands->prelude);
+    int status = example_host_type(in, h->commands->prelude, false);
     script_host_clear(h);
     if (status == SARCINA_OK)
         return in;

@@ -75,4 +75,17 @@ static inline void script_host_close(script_host *h) {
     free(h->errors);
 }
 
+/* The same as cmocka's set-up and tear-down of a group whose tests share one host, a global of theirs. */
+#define SCRIPT_HOST_OF_GROUP(host)                                                                                     \
+    static int open_host(void **state) {                                                                               \
+        (void)state;                                                                                                   \
+        script_host_open(&(host));                                                                                     \
+        return 0;                                                                                                      \
+    }                                                                                                                  \
+    static int close_host(void **state) {                                                                              \
+        (void)state;                                                                                                   \
+        script_host_close(&(host));                                                                                    \
+        return 0;                                                                                                      \
+    }
+
 #endif

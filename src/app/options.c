@@ -38,23 +38,16 @@ static int take_command(options *o, char **words, diag *d) {
     return SARCINA_OK;
 }
 
-static int take_log(options *o, char **words, diag *d) {
-    (void)d;
-    o->log = words[0];
-    return SARCINA_OK;
-}
-
-static int take_screen(options *o, char **words, diag *d) {
-    (void)d;
-    o->screen = words[0];
-    return SARCINA_OK;
-}
-
-static int take_echo(options *o, char **words, diag *d) {
-    (void)d;
-    o->echo = words[0];
-    return SARCINA_OK;
-}
+#define WORD(id)                                                                                                       \
+    static int take_##id(options *o, char **words, diag *d) {                                                          \
+        (void)d;                                                                                                       \
+        o->id = words[0];                                                                                              \
+        return SARCINA_OK;                                                                                             \
+    }
+WORD(log)
+WORD(screen)
+WORD(echo)
+WORD(replicates)
 
 static int read_count(const char *name, const char *word, int *out, diag *d) {
     char *end;
@@ -71,12 +64,6 @@ static int take_threads(options *o, char **words, diag *d) {
 
 static int take_workers(options *o, char **words, diag *d) {
     return read_count("workers", words[0], &o->workers, d);
-}
-
-static int take_replicates(options *o, char **words, diag *d) {
-    (void)d;
-    o->replicates = words[0];
-    return SARCINA_OK;
 }
 
 static int take_sweep(options *o, char **words, diag *d) {

@@ -81,6 +81,23 @@ void oracle_table_free(oracle_table *t) {
     memset(t, 0, sizeof *t);
 }
 
+bool oracle_tables_read(oracle_tables *t, int argc, char **argv) {
+    if (argc != 2) {
+        const char *slash = strrchr(argv[0], '/');
+        fprintf(stderr, "usage: %s FOLDER\n", slash ? slash + 1 : argv[0]);
+        return false;
+    }
+    return oracle_table_read(&t->particles, argv[1], "particles.csv") &&
+           oracle_table_read(&t->springs, argv[1], "springs.csv") &&
+           oracle_table_read(&t->params, argv[1], "params.csv");
+}
+
+void oracle_tables_free(oracle_tables *t) {
+    oracle_table_free(&t->particles);
+    oracle_table_free(&t->springs);
+    oracle_table_free(&t->params);
+}
+
 const char *oracle_table_text(const oracle_table *t, size_t row, const char *column) {
     for (size_t i = 0; i < t->ncolumns; i++)
         if (strcmp(t->head[i], column) == 0)

@@ -24,6 +24,13 @@ void oracle_table_free(oracle_table *t);
 const char *oracle_table_text(const oracle_table *t, size_t row, const char *column);
 double oracle_table_number(const oracle_table *t, size_t row, const char *column);
 
+/* The three tables of a folder of states, the only argument of a program; false with a message. */
+typedef struct oracle_tables {
+    oracle_table particles, springs, params;
+} oracle_tables;
+bool oracle_tables_read(oracle_tables *t, int argc, char **argv);
+void oracle_tables_free(oracle_tables *t);
+
 /* A state in the engine's units, with what is needed to bind the mechanics to it. */
 typedef struct oracle_scene {
     colony *colony;

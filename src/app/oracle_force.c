@@ -33,20 +33,14 @@ static bool check_state(const char *state, const oracle_table *particles, const 
 }
 
 int main(int argc, char **argv) {
-    oracle_table particles, springs, params;
-    if (argc != 2) {
-        fprintf(stderr, "usage: oracle-force FOLDER\n");
-        return 2;
-    }
-    if (!oracle_table_read(&particles, argv[1], "particles.csv") ||
-        !oracle_table_read(&springs, argv[1], "springs.csv") || !oracle_table_read(&params, argv[1], "params.csv"))
+    oracle_tables t;
+    if (!oracle_tables_read(&t, argc, argv))
         return 2;
     int passed = 0, failed = 0;
-    for (size_t i = 0; i < params.nrows; i++)
-        *(check_state(oracle_table_text(&params, i, "state"), &particles, &springs, &params) ? &passed : &failed) += 1;
+    for (size_t i = 0; i < t.params.nrows; i++)
+        *(check_state(oracle_table_text(&t.params, i, "state"), &t.particles, &t.springs, &t.params) ? &passed
+                                                                                                     : &failed) += 1;
     printf("%d passed, %d failed\n", passed, failed);
-    oracle_table_free(&particles);
-    oracle_table_free(&springs);
-    oracle_table_free(&params);
+    oracle_tables_free(&t);
     return failed || !passed;
 }

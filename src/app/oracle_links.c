@@ -290,24 +290,17 @@ static bool check_state(const char *state, const link_rule *rules, const oracle_
 }
 
 int main(int argc, char **argv) {
-    oracle_table particles, springs, params;
-    if (argc != 2) {
-        fprintf(stderr, "usage: oracle-links FOLDER\n");
-        return 2;
-    }
-    if (!oracle_table_read(&particles, argv[1], "particles.csv") ||
-        !oracle_table_read(&springs, argv[1], "springs.csv") || !oracle_table_read(&params, argv[1], "params.csv"))
+    oracle_tables t;
+    if (!oracle_tables_read(&t, argc, argv))
         return 2;
     int passed = 0, failed = 0;
-    for (size_t i = 0; i < params.nrows; i++)
+    for (size_t i = 0; i < t.params.nrows; i++)
         for (size_t k = 0; k < sizeof states / sizeof states[0]; k++) {
-            const char *state = oracle_table_text(&params, i, "state");
+            const char *state = oracle_table_text(&t.params, i, "state");
             if (strncmp(state, states[k].state, strlen(states[k].state)) == 0)
-                *(check_state(state, states[k].rules, &particles, &springs, &params) ? &passed : &failed) += 1;
+                *(check_state(state, states[k].rules, &t.particles, &t.springs, &t.params) ? &passed : &failed) += 1;
         }
     printf("%d passed, %d failed\n", passed, failed);
-    oracle_table_free(&particles);
-    oracle_table_free(&springs);
-    oracle_table_free(&params);
+    oracle_tables_free(&t);
     return failed || !passed;
 }

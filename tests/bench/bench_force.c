@@ -19,12 +19,12 @@ static packing make_colony(const scene *sc, size_t n) {
     double side = 40 + 2.2 * sqrt((double)from->cell.count);
     size_t wide = (size_t)ceil(sqrt((double)n / (double)from->cell.count));
     for (size_t i = 0; i < n; i++) {
-        size_t copy = i / from->cell.count, row = i % from->cell.count;
+        size_t copy = i / from->cell.count, row = i % from->cell.count, line = copy / wide;
         double ends[6];
         memcpy(ends, from->particle.x + 3 * (size_t)from->cell.first[row], sizeof ends);
         for (size_t e = 0; e < 2; e++) {
             ends[3 * e] += side * (double)(copy % wide);
-            ends[3 * e + 1] += side * (double)(copy / wide);
+            ends[3 * e + 1] += side * (double)line;
         }
         packing_rod(&p, ends, ends + 3, from->cell.rest[row], from->cell.diameter[row]);
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* undo: whatever the commands of a session change is to the bit what it was, for every example of every command; how
  * far back it goes; and what a session writes down. */
-#include "script_host.h"
+#include "example_host.h"
 
 #include "base/table.h"
 #include "command/past.h"
@@ -36,24 +36,6 @@ static int close_host(void **state) {
     return system("rm -rf \"$PWD\"") == 0 ? 0 : -1;
 }
 
-/* Commands and blocks one after the other, as typed. */
-static void type(interp *in, const char *script) {
-    char *text = alloc_copy("");
-    while (*script) {
-        size_t n = strcspn(script, "\n");
-        char *longer = alloc_format("%s%.*s\n", text, (int)n, script);
-        free(text);
-        text = longer;
-        script += n + (script[n] == '\n');
-        if (block_is_open(text) && *script)
-            continue;
-        text[strlen(text) - 1] = '\0';
-        interp_run_line(in, text);
-        *text = '\0';
-    }
-    free(text);
-}
-
 static archive *state_of(interp *in) {
     archive *a = session_pack(in);
     char *settings = interp_settings_save(in);
@@ -83,16 +65,16 @@ static void test_examples(void **state) {
             continue;
         write_files();
         interp *in = interp_create(&host.host);
-        type(in, t->prelude);
+        example_host_type(in, t->prelude, true);
         archive *before = state_of(in);
-        type(in, form->example);
+        example_host_type(in, form->example, true);
         archive *between = state_of(in);
         bool same = archive_share(between, before);
         changed += !same;
         /* as many steps back as there are, down to the prelude's own */
         for (int k = 0; !same && k < 20; k++) {
             script_host_clear(&host);
-            type(in, "undo");
+            example_host_type(in, "undo", true);
             archive *now = state_of(in);
             same = archive_share(now, before);
             archive_free(now);
@@ -114,12 +96,12 @@ static void test_room(void **state) {
     host.host.undo_bytes = 1;
     interp *in = interp_create(&host.host);
     script_host_clear(&host);
-    type(in, "variable a string 1\nvariable a string 2\nvariable a string 3");
+    example_host_type(in, "variable a string 1\nvariable a string 2\nvariable a string 3", true);
     assert_non_null(strstr(host.printed, "from here on undo goes back 1 command: older states are dropped"));
-    type(in, "undo 2");
+    example_host_type(in, "undo 2", true);
     assert_non_null(strstr(host.errors, "undo goes back no further than 1 commands: older states have been dropped"));
     script_host_clear(&host);
-    type(in, "undo\nprint $a");
+    example_host_type(in, "undo\nprint $a", true);
     assert_string_equal(host.printed, "undone: variable a string 3\n2\n");
     interp_free(in);
     host.host.undo_bytes = 0;
@@ -166,7 +148,7 @@ static void test_script(void **state) {
     assert_int_equal(interp_set_variable(in, "a", "it's $5", NULL), SARCINA_OK);
     interp_run_source(in, "-e", "seed 5");
     past_given(in, "seed 5", SARCINA_OK);
-    type(in, "random(0,1)\nprint 'no change'\nspecies ball coccus\nnonsense\nsave saved.in");
+    example_host_type(in, "random(0,1)\nprint 'no change'\nspecies ball coccus\nnonsense\nsave saved.in", true);
     char *text = read_file("saved.in");
     assert_string_equal(text, "# saved by sarcina " SARCINA_VERSION " on ; replays this session's scene\n"
                               "variable a default \"it's $$5\"\n"
@@ -176,7 +158,7 @@ static void test_script(void **state) {
                               "species ball coccus\n");
     free(text);
     script_host_clear(&host);
-    type(in, "save saved.in\nsave no/such/folder/is/made.in");
+    example_host_type(in, "save saved.in\nsave no/such/folder/is/made.in", true);
     assert_non_null(strstr(host.errors, "'saved.in' is there already"));
     assert_non_null(strstr(host.printed, "no/such/folder/is/made.in: 5 commands"));
     interp_free(in);
@@ -187,7 +169,7 @@ static void test_no_editor(void **state) {
     host.host.edit = NULL;
     interp *in = interp_create(&host.host);
     script_host_clear(&host);
-    type(in, "edit");
+    example_host_type(in, "edit", true);
     assert_non_null(strstr(host.errors, "there is no editor here"));
     interp_free(in);
     host.host.edit = script_host_edit;

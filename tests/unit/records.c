@@ -37,7 +37,7 @@ static int close_host(void **state) {
 static bool runs(const char *what, const char *example) {
     interp *in = example_host_scene(&host);
     assert_non_null(in);
-    int status = example_host_type(in, example);
+    int status = example_host_type(in, example, false);
     if (status)
         printf("%s: its example fails (%d)\n%s\n%s\n", what, status, example, host.errors);
     interp_free(in);

@@ -21,17 +21,7 @@
 
 static script_host host;
 
-static int open_host(void **state) {
-    (void)state;
-    script_host_open(&host);
-    return 0;
-}
-
-static int close_host(void **state) {
-    (void)state;
-    script_host_close(&host);
-    return 0;
-}
+SCRIPT_HOST_OF_GROUP(host)
 
 static interp *make(const char *script) {
     interp *in = interp_create(&host.host);
