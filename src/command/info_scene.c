@@ -12,6 +12,7 @@
 #include "relax/integrator.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -234,9 +235,21 @@ static void show_memory(interp *in, const scene *s, info_put put) {
     put(in, "memory      %.3g MB:%s", 1e-6 * (double)(sum + integrator), l.text);
 }
 
-static void add_share(line *l, const char *name, double seconds, double whole) {
-    if (seconds > 0)
-        add(l, "%s %s %.1f", l->used ? "," : "", name, 100 * seconds / whole);
+/* Shares of a whole, in tenths of a percent. */
+typedef struct shares {
+    line text;
+    double whole, done;
+    long told;
+} shares;
+
+/* Each is what it adds to the rounded sum: those told make 100.0 together. */
+static void add_share(shares *all, const char *name, double seconds) {
+    if (!(seconds > 0))
+        return;
+    all->done += seconds;
+    long now = lround(1000 * all->done / all->whole), share = now - all->told;
+    add(&all->text, "%s %s %.1f", all->text.used ? "," : "", name, 0.1 * (double)share);
+    all->told = now;
 }
 
 /* Shares of the time by stage and, of that of the forces, by term. */
@@ -244,28 +257,26 @@ static void show_time(interp *in, const scene *s, info_put put) {
     const scene_timing *t = &s->timing;
     const double rest = t->relax - t->force - t->build - t->remodel;
     const double whole = t->grow + t->divide + t->relax + t->output;
-    line stages = {0}, terms = {0};
+    shares stages = {.whole = whole}, terms = {.whole = t->upkeep};
     if (s->tally.evaluations == 0 || !(whole > 0)) {
         put(in, "time        not measured yet");
         return;
     }
-    add_share(&stages, "forces", t->force, whole);
-    add_share(&stages, "neighbours", t->build, whole);
-    add_share(&stages, "integration", rest, whole);
-    add_share(&stages, "remodelling", t->remodel, whole);
-    add_share(&stages, "growth", t->grow, whole);
-    add_share(&stages, "division", t->divide, whole);
-    add_share(&stages, "output", t->output, whole);
-    put(in, "time        %.3gs so far, in %%:%s", whole, stages.text);
-    double sum = t->upkeep;
+    add_share(&stages, "forces", t->force);
+    add_share(&stages, "neighbours", t->build);
+    add_share(&stages, "integration", rest);
+    add_share(&stages, "remodelling", t->remodel);
+    add_share(&stages, "growth", t->grow);
+    add_share(&stages, "division", t->divide);
+    add_share(&stages, "output", t->output);
+    put(in, "time        %.3gs so far, in %%:%s", whole, stages.text.text);
     for (int i = 0; i < FORCE_COUNT; i++)
-        sum += t->term[i];
-    for (int i = 0; sum > 0 && i < FORCE_COUNT; i++)
-        add_share(&terms, force_styles[i]->name, t->term[i], sum);
-    if (sum > 0)
-        add_share(&terms, "capsules", t->upkeep, sum);
+        terms.whole += t->term[i];
+    for (int i = 0; i < FORCE_COUNT; i++)
+        add_share(&terms, force_styles[i]->name, t->term[i]);
+    add_share(&terms, "capsules", t->upkeep);
     put(in, "forces      %.1f ns a cell and evaluation, in %%:%s", 1e9 * t->force / (double)s->tally.cell_evaluations,
-        sum > 0 ? terms.text : " too few for shares");
+        terms.whole > 0 ? terms.text.text : " too few for shares");
 }
 
 /* ------------------------------------------------------------------------------------------------------------------ */
