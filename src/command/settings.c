@@ -41,29 +41,8 @@ static int run_accuracy(interp *in, const args *a, diag *d) {
     return SARCINA_OK;
 }
 
-/* A keyword that the method would not look at is a slip. */
-static int check_integrator(const args *a, diag *d) {
-    const integrator_style *style = integrator_styles[args_choice(a, "STYLE")];
-    const char *wrong = NULL;
-    if (args_given(a, "tol") && !(style->caps & INTEGRATOR_ADAPTIVE)) {
-        wrong = "tol";
-        diag_error(d, "%s does not control its error: it has no tol", style->name);
-    } else if (args_given(a, "inertia") && !(style->caps & INTEGRATOR_EXACT_DAMPING)) {
-        wrong = "inertia";
-        diag_error(d, "inertia is for verlet and euler, which solve the damping exactly, not for %s", style->name);
-    } else if (args_given(a, "inertia") && args_given(a, "step")) {
-        wrong = "inertia";
-        diag_error(d, "inertia makes longer steps from the stiffness of the scene, and step sets them: one of both");
-    }
-    if (!wrong)
-        return SARCINA_OK;
-    diag_place(d, args_span(a, wrong));
-    return SARCINA_ERROR;
-}
-
 static int run_integrator(interp *in, const args *a, diag *d) {
-    if (check_integrator(a, d) != SARCINA_OK)
-        return SARCINA_ERROR;
+    const char *wrong = NULL;
     relax_settings how = {.integrator = (integrator_kind)args_choice(a, "STYLE")};
     if (args_given(a, "step"))
         how.step = args_number(a, "step");
@@ -71,8 +50,12 @@ static int run_integrator(interp *in, const args *a, diag *d) {
         how.tolerance = args_number(a, "tol");
     if (args_given(a, "inertia"))
         how.inertia = args_number(a, "inertia");
-    interp_scene(in)->relax = how;
-    return SARCINA_OK;
+    int status = integrator_check(&how, &wrong, d);
+    if (status)
+        diag_place(d, args_span(a, wrong));
+    else
+        interp_scene(in)->relax = how;
+    return status;
 }
 
 static int run_neighbor(interp *in, const args *a, diag *d) {

@@ -89,5 +89,5 @@ int tradeoff_method_read(interp *in, const char *text, tradeoff_method *out, dia
     int status = SARCINA_OK;
     while (!status && rest[strspn(rest, " \t")])
         status = read_control(in, &rest, &out->how, d);
-    return status;
+    return status ? status : integrator_check(&out->how, &(const char *){NULL}, d);
 }

@@ -16,3 +16,22 @@ int integrator_find(const char *name) {
             return i;
     return -1;
 }
+
+int integrator_check(const relax_settings *how, const char **wrong, diag *d) {
+    const integrator_style *style = integrator_styles[how->integrator];
+    if (how->tolerance > 0 && !(style->caps & INTEGRATOR_ADAPTIVE)) {
+        *wrong = "tol";
+        return diag_error(d, "%s does not control its error: it has no tol", style->name);
+    }
+    if (how->inertia > 0 && !(style->caps & INTEGRATOR_EXACT_DAMPING)) {
+        *wrong = "inertia";
+        return diag_error(d, "inertia is for verlet and euler, which solve the damping exactly, not for %s",
+                          style->name);
+    }
+    if (how->inertia > 0 && how->step > 0) {
+        *wrong = "inertia";
+        return diag_error(d, "inertia makes longer steps from the stiffness of the scene, and step sets them: one of "
+                             "both");
+    }
+    return SARCINA_OK;
+}
