@@ -36,14 +36,14 @@ int mechanical_energy(const view *v, const bool *members, double *out, diag *d) 
     out[0] = NAN;
     if (!v->mechanics)
         return SARCINA_OK;
-    field[INTERNAL] = mechanics_energy(v->mechanics, FORCE_INTERNAL, c->particle.x);
-    field[BEND] = mechanics_energy(v->mechanics, FORCE_BEND, c->particle.x);
-    field[TWIST] = mechanics_energy(v->mechanics, FORCE_TWIST, c->particle.x);
-    field[COLLISION] = mechanics_energy(v->mechanics, FORCE_COLLISION, c->particle.x);
-    field[SUBSTRATUM] = mechanics_energy(v->mechanics, FORCE_SUBSTRATUM, c->particle.x);
-    field[DLVO] = mechanics_energy(v->mechanics, FORCE_DLVO, c->particle.x);
-    field[GRAVITY] = mechanics_energy(v->mechanics, FORCE_GRAVITY, c->particle.x);
-    field[KINETIC] = mechanics_kinetic(v->mechanics, c->particle.v);
+    field[INTERNAL] = mechanics_energy(v->mechanics, FORCE_INTERNAL, NULL);
+    field[BEND] = mechanics_energy(v->mechanics, FORCE_BEND, NULL);
+    field[TWIST] = mechanics_energy(v->mechanics, FORCE_TWIST, NULL);
+    field[COLLISION] = mechanics_energy(v->mechanics, FORCE_COLLISION, NULL);
+    field[SUBSTRATUM] = mechanics_energy(v->mechanics, FORCE_SUBSTRATUM, NULL);
+    field[DLVO] = mechanics_energy(v->mechanics, FORCE_DLVO, NULL);
+    field[GRAVITY] = mechanics_energy(v->mechanics, FORCE_GRAVITY, NULL);
+    field[KINETIC] = mechanics_kinetic(v->mechanics);
     add_links(c, field);
     out[0] = 0;
     for (int i = 0; i < FIELDS; i++)

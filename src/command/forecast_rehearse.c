@@ -165,7 +165,7 @@ static int rehearse_run(rehearsal *r, forecast_run *run, bool *on, diag *d) {
 
 static void measure_memory(const scene *s, forecast_price *out) {
     double integrator =
-        (double)integrator_styles[s->relax.integrator]->vectors * 24 * (double)s->colony->particle.count;
+        (double)integrator_styles[s->relax.integrator]->vectors * 8 * s->dimension * (double)s->colony->particle.count;
     double bytes = 3 * (double)colony_bytes(s->colony) + (double)mechanics_statistics(s->mechanics).bytes + integrator;
     out->bytes_per_cell = bytes / fmax(1, (double)s->colony->cell.count);
 }

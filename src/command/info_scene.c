@@ -230,7 +230,7 @@ static void show_memory(interp *in, const scene *s, info_put put) {
     for (int i = 0; i < MECHANICS_PARTS; sum += parts[i++].bytes)
         add_part(&l, parts[i].name, parts[i].bytes);
     size_t vectors = (size_t)integrator_styles[s->relax.integrator]->vectors;
-    size_t integrator = vectors * 3 * sizeof(double) * s->colony->particle.count;
+    size_t integrator = vectors * (size_t)s->dimension * sizeof(double) * s->colony->particle.count;
     add_part(&l, "integrator", integrator);
     put(in, "memory      %.3g MB:%s", 1e-6 * (double)(sum + integrator), l.text);
 }

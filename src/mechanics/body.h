@@ -7,6 +7,8 @@
 #ifndef SARCINA_MECHANICS_BODY_H
 #define SARCINA_MECHANICS_BODY_H
 
+#include "mechanics/dimensions.h"
+
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -16,9 +18,6 @@
 #ifndef SARCINA_FLEXIBLE
 #define SARCINA_FLEXIBLE 1
 #endif
-
-/* What is compiled for 3 dimensions and for 2: its callers pass them as constants. */
-#define MECHANICS_INLINE static inline __attribute__((always_inline))
 
 typedef struct body {
     uint64_t id;       /* of the cell */
@@ -61,8 +60,8 @@ static inline const capsule *capsule_get(const void *list, size_t slot, bool fla
 }
 
 /* Sets it to the segment between two ends. */
-MECHANICS_INLINE void capsule_set(void *list, size_t slot, int dimensions, const double *first, const double *last,
-                                  double radius, double rest) {
+DIMENSIONS_INLINE void capsule_set(void *list, size_t slot, int dimensions, const double *first, const double *last,
+                                   double radius, double rest) {
     capsule *c = &((capsule *)list)[slot];
     flat_capsule *flat = &((flat_capsule *)list)[slot];
     if (dimensions == 2) {
@@ -78,7 +77,7 @@ MECHANICS_INLINE void capsule_set(void *list, size_t slot, int dimensions, const
 }
 
 /* A point that no body reaches, though distances from it are numbers: what fills the places of none. */
-MECHANICS_INLINE void capsule_set_nowhere(void *list, size_t slot, int dimensions) {
+DIMENSIONS_INLINE void capsule_set_nowhere(void *list, size_t slot, int dimensions) {
     const double far[3] = {1e18, 1e18, 1e18};
     capsule_set(list, slot, dimensions, far, far, 0, 0);
 }

@@ -18,28 +18,23 @@ int state_threads(const mechanics *m) {
     return (size_t)m->threads < useful ? m->threads : (int)useful;
 }
 
-MECHANICS_INLINE double move_squared(const double *now, const double *then, int dimensions) {
-    double sum = 0;
-    for (int k = 0; k < dimensions; k++)
-        sum += (now[k] - then[k]) * (now[k] - then[k]);
-    return sum;
-}
-
 /* Capsules of slots begin ... end - 1 at x; whether a particle of theirs has left its half of the skin (or is not a
  * number), where they are listed. */
-MECHANICS_INLINE bool set_range(mechanics *m, const double *x, size_t begin, size_t end, bool listed, int dimensions) {
+DIMENSIONS_INLINE bool set_range(mechanics *m, const double *x, size_t begin, size_t end, bool listed, int dimensions) {
     const double limit = 0.25 * m->skin * m->skin;
     const body *bodies = m->bodies;
-    const double *then = m->built_at + 6 * begin;
+    const size_t width = (size_t)dimensions;
+    const double *then = m->built_at + 2 * width * begin;
     void *capsules = m->capsules;
     bool left = false;
-    for (size_t slot = begin; slot < end; slot++, then += 6) {
+    for (size_t slot = begin; slot < end; slot++, then += 2 * width) {
         const body *b = &bodies[slot];
-        const double *first = x + 3 * (size_t)b->first, *last = first + 3 * (size_t)(b->count - 1);
+        const double *first = x + width * b->first, *last = first + width * (b->count - 1);
         capsule_set(capsules, slot, dimensions, first, last, b->radius, b->rest);
         if (!listed)
             continue;
-        if (!(move_squared(first, then, dimensions) <= limit && move_squared(last, then + 3, dimensions) <= limit))
+        if (!(dimensions_apart(first, then, dimensions) <= limit &&
+              dimensions_apart(last, then + width, dimensions) <= limit))
             left = true;
     }
     return left;
@@ -60,7 +55,7 @@ static bool set_capsules(mechanics *m, const double *x) {
 }
 
 static bool is_finite(const mechanics *m, const double *x) {
-    for (size_t i = 0; i < 3 * m->nparticles; i++)
+    for (size_t i = 0; i < state_components(m); i++)
         if (!(fabs(x[i]) < farthest))
             return false;
     return true;
@@ -90,10 +85,11 @@ static void build(mechanics *m, const double *x) {
     m->neighbor.margin = m->margin;
     sort_bodies(m, x);
     neighbor_build(&m->neighbor, m->bodies, m->capsules, m->reach, state_threads(m), m->kernel);
+    const size_t width = (size_t)state_dimensions(m);
     for (size_t slot = 0; slot < m->nbodies; slot++) {
         const body *b = &m->bodies[slot];
-        memcpy(m->built_at + 6 * slot, x + 3 * (size_t)b->first, 3 * sizeof *x);
-        memcpy(m->built_at + 6 * slot + 3, x + 3 * (size_t)(b->first + b->count - 1), 3 * sizeof *x);
+        memcpy(m->built_at + 2 * width * slot, x + width * b->first, width * sizeof *x);
+        memcpy(m->built_at + (2 * slot + 1) * width, x + width * (b->first + b->count - 1), width * sizeof *x);
     }
     m->listed = true;
     m->stats.builds++;
@@ -105,7 +101,8 @@ bool state_refresh_pairs(mechanics *m, const double *x) {
         m->capsule_capacity = m->nbodies + 1 + m->nbodies / 2;
         free(m->capsules);
         m->capsules = alloc_aligned(m->capsule_capacity, capsule_size(m->flat), _Alignof(capsule));
-        m->built_at = alloc_resize(m->built_at, 6 * m->capsule_capacity, sizeof *m->built_at);
+        m->built_at =
+            alloc_resize(m->built_at, 2 * (size_t)state_dimensions(m) * m->capsule_capacity, sizeof *m->built_at);
     }
     capsule_set_nowhere(m->capsules, m->nbodies, m->flat ? 2 : 3);
     bool left = set_capsules(m, x);
@@ -142,12 +139,19 @@ force_frame state_frame(const mechanics *m, const double *x, const double *v) {
     };
 }
 
-static void clear_chunk(const mechanics *m, size_t begin, size_t end, double *f) {
+DIMENSIONS_INLINE void clear_in(const mechanics *m, size_t begin, size_t end, double *f, size_t dimensions) {
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &m->bodies[slot];
-        for (size_t i = 3 * (size_t)b->first; i < 3 * (size_t)(b->first + b->owned); i++)
+        for (size_t i = dimensions * b->first; i < dimensions * (b->first + b->owned); i++)
             f[i] = 0;
     }
+}
+
+static void clear_chunk(const mechanics *m, size_t begin, size_t end, double *f) {
+    if (m->flat)
+        clear_in(m, begin, end, f, 2);
+    else
+        clear_in(m, begin, end, f, 3);
 }
 
 /* What acts within chains, and what their segments left for their owners: each chain by one thread. */
@@ -213,7 +217,7 @@ static void evaluate(mechanics *m, unsigned which, unsigned within, const double
     double begin = omp_get_wtime(), built = m->stats.build_seconds;
     bool timed = m->stats.evaluations % EVALUATIONS_BETWEEN_CLOCKS == 1; /* not the first, which builds */
     if (!state_refresh(m, x)) {
-        for (size_t i = 0; i < 3 * m->nparticles; i++)
+        for (size_t i = 0; i < state_components(m); i++)
             f[i] = NAN;
         return;
     }

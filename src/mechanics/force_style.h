@@ -23,7 +23,7 @@ struct contact_kernel;
 typedef struct force_frame {
     const body *bodies; /* (nbodies), by slot */
     size_t nbodies;
-    const double *x, *v; /* (nparticles x 3), um, um/s; v NULL where damping is left out */
+    const double *x, *v; /* (nparticles x dimensions), um, um/s; v NULL where damping is left out */
     const double *mass;  /* (nparticles), pg */
     /* (nbodies + 1), of x, the last of no body: capsule, or flat_capsule if flat; NULL without collision */
     const void *capsules;
@@ -31,7 +31,7 @@ typedef struct force_frame {
     const struct spring_index *springs; /* NULL without springs */
     const struct contact_kernel *kernel;
     bool cocci;          /* no body has more than one particle */
-    bool flat;           /* all lies in a plane of constant z: terms add nothing along z */
+    bool flat;           /* two dimensions: x, v and f have no z */
     const chain *chains; /* (nchains), flexible cells in the order of ids */
     size_t nchains;
     double *shares; /* (nparticles x 3): what a segment's contacts do to its last particle, for its owner to add */
@@ -39,7 +39,8 @@ typedef struct force_frame {
     uint64_t seed; /* of fallback directions */
 } force_frame;
 
-/* A spring as the stiffness of the system sees it: energy k/2 (sum of g . displacement of a particle)^2. */
+/* A spring as the stiffness of the system sees it: energy k/2 (sum of g . displacement of a particle)^2. In the plane
+ * the third number of each g is 0. */
 typedef struct stiff_spring {
     uint32_t particle[4];
     double g[4][3];
@@ -93,8 +94,8 @@ typedef struct force_style {
     unsigned caps;
     /* Is the scene consistent? Once a binding; optional. */
     int (*prepare)(const double *p, const force_scene *scene, diag *d);
-    /* f (nparticles x 3) += force on the particles that bodies begin ... end - 1 own; required but for terms of chains
-     * alone. */
+    /* f (nparticles x dimensions) += force on the particles that bodies begin ... end - 1 own; required but for terms
+     * of chains alone. */
     void (*add)(const double *p, const force_frame *at, size_t begin, size_t end, double *f);
     /* f += force on the particles of chains begin ... end - 1, after all bodies are done; optional. */
     void (*add_chain)(const double *p, const force_frame *at, size_t begin, size_t end, double *f);

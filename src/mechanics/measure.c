@@ -10,7 +10,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-double mechanics_energy(mechanics *m, force_kind term, const double *x) {
+/* Work at the colony's own state lies between these two. */
+static const double *begin(mechanics *m, bool *packed) {
+    *packed = state_pack(m);
+    return m->colony->particle.x;
+}
+
+static void end(mechanics *m, bool packed) {
+    if (packed)
+        state_unpack(m);
+}
+
+static double energy_at(mechanics *m, force_kind term, const double *x) {
     const force_style *style = force_styles[term];
     const force_settings *settings = &m->forces.term[term];
     if (!settings->on || !(style->caps & FORCE_CONSERVATIVE))
@@ -26,12 +37,24 @@ double mechanics_energy(mechanics *m, force_kind term, const double *x) {
     return sum;
 }
 
-double mechanics_kinetic(mechanics *m, const double *v) {
+double mechanics_energy(mechanics *m, force_kind term, const double *x) {
+    bool packed = false;
+    double energy = energy_at(m, term, x ? x : begin(m, &packed));
+    end(m, packed);
+    return energy;
+}
+
+double mechanics_kinetic(mechanics *m) {
+    bool packed;
+    const int dimensions = state_dimensions(m);
     double sum = 0;
+    begin(m, &packed);
     for (size_t i = 0; i < m->nparticles; i++) {
         size_t p = m->order[i];
-        sum += 0.5 * m->mass[p] * (v[3 * p] * v[3 * p] + v[3 * p + 1] * v[3 * p + 1] + v[3 * p + 2] * v[3 * p + 2]);
+        const double *v = m->colony->particle.v + (size_t)dimensions * p;
+        sum += 0.5 * m->mass[p] * dimensions_square(v, dimensions);
     }
+    end(m, packed);
     return sum;
 }
 
@@ -45,13 +68,15 @@ size_t mechanics_clamped(const mechanics *m) {
 }
 
 double mechanics_fmax(mechanics *m) {
+    bool packed;
+    const int dimensions = state_dimensions(m);
     double most = 0;
-    mechanics_force_undamped(m, m->colony->particle.x, m->scratch);
+    mechanics_force_undamped(m, begin(m, &packed), m->scratch);
     for (size_t p = 0; p < m->nparticles; p++) {
-        const double *f = m->scratch + 3 * p;
-        double square = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
+        double square = dimensions_square(m->scratch + (size_t)dimensions * p, dimensions);
         most = square > most ? square : most;
     }
+    end(m, packed);
     return sqrt(most);
 }
 
@@ -110,24 +135,19 @@ static uint32_t count_cells(touching *t) {
 }
 
 static void sum_force(const mechanics *m, double *force) {
+    const size_t width = (size_t)state_dimensions(m);
     memset(force, 0, 3 * m->ncells * sizeof *force);
     for (size_t rank = 0; rank < m->nbodies; rank++) {
         const body *b = &m->bodies[m->by_id[rank]];
         double *out = force + 3 * (size_t)b->row;
         for (size_t p = b->first; p < b->first + b->owned; p++)
-            for (size_t k = 0; k < 3; k++)
-                out[k] += m->scratch[3 * p + k];
+            for (size_t k = 0; k < width; k++)
+                out[k] += m->scratch[width * p + k];
     }
 }
 
-void mechanics_contacts(mechanics *m, double *overlap, uint32_t *contacts, double *force) {
-    const double *x = m->colony->particle.x;
-    if (force) {
-        mechanics_force_undamped(m, x, m->scratch);
-        sum_force(m, force);
-    }
-    if ((!overlap && !contacts) || !state_refresh_pairs(m, x))
-        return;
+/* Contacts and overlaps of all cells, at the state that the list was last refreshed for. */
+static void measure_contacts(const mechanics *m, double *overlap, uint32_t *contacts) {
     touching t = {0};
     for (size_t rank = 0; rank < m->nbodies; rank++) {
         size_t slot = m->by_id[rank];
@@ -145,6 +165,18 @@ void mechanics_contacts(mechanics *m, double *overlap, uint32_t *contacts, doubl
         t.count = 0;
     }
     free(t.cells);
+}
+
+void mechanics_contacts(mechanics *m, double *overlap, uint32_t *contacts, double *force) {
+    bool packed;
+    const double *x = begin(m, &packed);
+    if (force) {
+        mechanics_force_undamped(m, x, m->scratch);
+        sum_force(m, force);
+    }
+    if ((overlap || contacts) && state_refresh_pairs(m, x))
+        measure_contacts(m, overlap, contacts);
+    end(m, packed);
 }
 
 /* The stiffest spring of a term that acts on the particle, if it beats what was found. */
@@ -172,13 +204,13 @@ static void find_stiffest(mechanics *m, const double *x, force_kind term, size_t
 
 mechanics_culprit mechanics_blame(mechanics *m, const double *x, size_t particle) {
     mechanics_culprit found = {m->bodies[m->owner[particle]].id, FORCE_COUNT, FORCE_COUNT, 0, m->mass[particle]};
+    const int dimensions = state_dimensions(m);
     double most = -1;
     for (int term = 0; term < FORCE_COUNT; term++) {
         if (!m->forces.term[term].on || term == FORCE_DAMPING)
             continue;
         mechanics_force_of(m, (force_kind)term, x, NULL, m->scratch);
-        const double *f = m->scratch + 3 * particle;
-        double square = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
+        double square = dimensions_square(m->scratch + (size_t)dimensions * particle, dimensions);
         if (!(square <= most)) {
             most = isnan(square) ? (double)INFINITY : square;
             found.strongest = (force_kind)term;

@@ -132,7 +132,7 @@ static void reserve(mechanics *m) {
         m->order = alloc_resize(m->order, m->particle_capacity, sizeof *m->order);
         m->mass = alloc_resize(m->mass, m->particle_capacity, sizeof *m->mass);
         m->radius = alloc_resize(m->radius, m->particle_capacity, sizeof *m->radius);
-        m->scratch = alloc_resize(m->scratch, 3 * m->particle_capacity, sizeof *m->scratch);
+        m->scratch = alloc_resize(m->scratch, (size_t)state_dimensions(m) * m->particle_capacity, sizeof *m->scratch);
     }
 }
 
@@ -258,7 +258,7 @@ static void forget_other_dimensions(mechanics *m, bool flat) {
         return;
     free(m->capsules);
     m->capsules = NULL;
-    m->capsule_capacity = 0;
+    m->capsule_capacity = m->particle_capacity = 0; /* all that they count is made anew */
     m->flat = flat;
 }
 
@@ -338,9 +338,8 @@ size_t mechanics_particles(const mechanics *m) {
     return m->nparticles;
 }
 
-void mechanics_state(const mechanics *m, double **x, double **v) {
-    *x = m->colony->particle.x;
-    *v = m->colony->particle.v;
+int mechanics_dimensions(const mechanics *m) {
+    return state_dimensions(m);
 }
 
 bool mechanics_has_chains(const mechanics *m) {

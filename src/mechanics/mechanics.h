@@ -29,7 +29,7 @@ typedef struct mechanics_input {
     int threads;
     const link_rules *links; /* by which links form and break; NULL: they stay as they are */
     double time;             /* growth time, s: that of links which form */
-    bool flat;               /* two dimensions: every z is the same and stays it, to the bit */
+    bool flat;               /* two dimensions: every z is 0, nothing acts along it, and no cell is flexible */
     bool lenient;            /* bind to look, not to move: terms that lack what they need are no error */
 } mechanics_input;
 
@@ -50,8 +50,16 @@ int mechanics_check(const mechanics_input *in, diag *d);
  * called before mechanics_prepare: rows and colony.version change. */
 void mechanics_arrange(colony *c);
 
-/* Forces f (nparticles x 3) at x, v (nparticles x 3): every active term; damping too. Rebuilds the neighbour list when
- * x has moved out of its skin. */
+/* Below, a state is x, v (nparticles x dimensions each), um and um/s; forces are f of that shape. In the plane there
+ * are two dimensions and no z. */
+int mechanics_dimensions(const mechanics *m);
+
+/* The colony's own x and v as a state, for who moves them. In the plane they stand packed in the place of the colony's
+ * rows until they are returned: nothing but these functions may look at the colony's x and v meanwhile. */
+void mechanics_take_state(mechanics *m, double **x, double **v);
+void mechanics_return_state(mechanics *m);
+
+/* Forces f at x, v: every active term; damping too. Rebuilds the neighbour list when x has moved out of its skin. */
 void mechanics_force(mechanics *m, const double *x, const double *v, double *f);
 
 /* The same without damping, for integrators that damp exactly, and for fmax. */
@@ -81,9 +89,6 @@ double mechanics_drag(const mechanics *m);        /* linear drag of a particle; 
 const double *mechanics_mass(const mechanics *m); /* mass of each particle (nparticles) */
 size_t mechanics_particles(const mechanics *m);
 
-/* The colony's own x and v (nparticles x 3), for who moves them. */
-void mechanics_state(const mechanics *m, double **x, double **v);
-
 /* Particle rows in the order of their cells' ids (nparticles): the order of sums over all of them. NULL: rows stand in
  * that order. */
 const uint32_t *mechanics_order(const mechanics *m);
@@ -94,8 +99,8 @@ const double *mechanics_radius(const mechanics *m);
 /* Largest eigenfrequency squared (1/s2) of the bare springs that act at x: the bound on explicit steps. */
 double mechanics_stiffness(mechanics *m, const double *x);
 
-/* The same by power iteration from mode (nparticles x 3), the last eigenvector found, which it improves: cheap where
- * the system has changed little. A mode of zeros is started anew. */
+/* The same by power iteration from mode (nparticles x dimensions), the last eigenvector found, which it improves: cheap
+ * where the system has changed little. A mode of zeros is started anew. */
 double mechanics_stiffness_from(mechanics *m, const double *x, double *mode);
 
 /* The same without what acts within flexible cells. */
@@ -113,9 +118,10 @@ typedef struct mechanics_culprit {
 } mechanics_culprit;
 mechanics_culprit mechanics_blame(mechanics *m, const double *x, size_t particle);
 
-/* Energy of one term at x (1e-27 J); 0 for a term that is not active or has none. */
+/* Energy of one term at x, NULL: at the colony's own (1e-27 J); 0 for a term that is not active or has none. Kinetic:
+ * of the colony's own v. */
 double mechanics_energy(mechanics *m, force_kind term, const double *x);
-double mechanics_kinetic(mechanics *m, const double *v);
+double mechanics_kinetic(mechanics *m);
 
 /* Particles that are nearer to the substratum than the clamp of dlvo, where its force is held; 0 without it. */
 size_t mechanics_clamped(const mechanics *m);

@@ -246,9 +246,17 @@ static void bind_springs(mechanics *m) {
     m->breaks = m->colony->link.count > 0;
 }
 
+/* Makes the list hold at the colony's own x; false when that is not finite. */
+static bool refresh(mechanics *m) {
+    bool packed = state_pack(m), fresh = state_refresh_pairs(m, m->colony->particle.x);
+    if (packed)
+        state_unpack(m);
+    return fresh;
+}
+
 bool mechanics_remodel_stick(mechanics *m, remodel_change *change) {
     *change = (remodel_change){0};
-    if (!m->rules || !m->sticks || !state_refresh_pairs(m, m->colony->particle.x))
+    if (!m->rules || !m->sticks || !refresh(m))
         return false;
     size_t count;
     stick_pair *pairs = find_sticks(m, &count);
@@ -259,10 +267,7 @@ bool mechanics_remodel_stick(mechanics *m, remodel_change *change) {
     return count > 0;
 }
 
-bool mechanics_remodel(mechanics *m, remodel_change *change) {
-    *change = (remodel_change){0};
-    if (m->sticks && !state_refresh_pairs(m, m->colony->particle.x))
-        return false;
+static bool remodel(mechanics *m, remodel_change *change) {
     bool *broken = alloc_zeroed(m->colony->link.count, sizeof *broken);
     uint32_t *anchors = alloc_zeroed(m->ncells, sizeof *anchors);
     size_t nanchors = 0, nsticks = 0;
@@ -284,4 +289,16 @@ bool mechanics_remodel(mechanics *m, remodel_change *change) {
     free(anchors);
     free(sticks);
     return change->broken || change->formed;
+}
+
+bool mechanics_remodel(mechanics *m, remodel_change *change) {
+    *change = (remodel_change){0};
+    if (m->sticks && !refresh(m))
+        return false;
+    bool packed = m->packed;
+    state_unpack(m); /* links are the colony's */
+    bool changed = remodel(m, change);
+    if (packed)
+        state_pack(m);
+    return changed;
 }

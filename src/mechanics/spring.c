@@ -9,7 +9,7 @@
 
 double spring_direction(const double *a, const double *b, const force_frame *at, uint64_t key_a, uint64_t key_b,
                         double u[3]) {
-    double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    double d[3] = {b[0] - a[0], b[1] - a[1], at->flat ? 0 : b[2] - a[2]};
     double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     if (length == 0) {
         force_direction(at, key_a, key_b, u);

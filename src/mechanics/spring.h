@@ -25,8 +25,8 @@ typedef struct spring_index {
 void spring_index_build(spring_index *index, const colony *c, const uint32_t *owner, const body *bodies);
 void spring_index_free(spring_index *index);
 
-/* Unit vector and length from x_a to x_b. Without length the direction is seeded by the two keys: the same spring seen
- * from its other end has exactly the opposite one. */
+/* Unit vector and length from x_a to x_b (dimensions each; u[2] is 0 in the plane). Without length the direction is
+ * seeded by the two keys: the same spring seen from its other end has exactly the opposite one. */
 double spring_direction(const double *a, const double *b, const force_frame *at, uint64_t key_a, uint64_t key_b,
                         double u[3]);
 

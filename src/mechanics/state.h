@@ -46,15 +46,17 @@ struct mechanics {
     double skin;             /* um */
     bool wants_pairs;        /* a term reads the neighbour list */
     bool cocci;              /* no body has more than one particle */
-    bool flat;               /* two dimensions: all lies in a plane of constant z */
+    bool flat;               /* two dimensions: all lies in the plane z = 0 */
+
+    bool packed; /* the colony's x and v are a state of two dimensions for now */
 
     /* computed by evaluations */
     void *capsules;   /* (nbodies + 1), by slot, the last of no body: capsule, or flat_capsule in the plane */
-    double *built_at; /* (nbodies x 6) both ends when the list was built, by slot */
+    double *built_at; /* (nbodies x 2 dimensions) both ends when the list was built, by slot */
     neighbor neighbor;
     bool listed; /* the list holds for built_at */
     const contact_kernel *kernel;
-    double *scratch; /* (nparticles x 3) */
+    double *scratch; /* (nparticles x dimensions) */
     stiff_list stiff;
     size_t body_capacity, particle_capacity, capsule_capacity, share_capacity;
     mechanics_stats stats;
@@ -72,6 +74,16 @@ bool state_refresh_pairs(mechanics *m, const double *x);
 static inline int state_dimensions(const mechanics *m) {
     return m->flat ? 2 : 3;
 }
+
+/* Numbers of a state: nparticles x dimensions. */
+static inline size_t state_components(const mechanics *m) {
+    return (size_t)state_dimensions(m) * m->nparticles;
+}
+
+/* In the plane the colony's x and v stand packed, (nparticles x 2), in the place of their own rows while they are a
+ * state. state_pack packs them where they are not, and says whether it did; state_unpack sets them apart again. */
+bool state_pack(mechanics *m);
+void state_unpack(mechanics *m);
 
 force_frame state_frame(const mechanics *m, const double *x, const double *v);
 

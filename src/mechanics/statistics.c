@@ -5,11 +5,13 @@
 void mechanics_memory(const mechanics *m, mechanics_part parts[MECHANICS_PARTS]) {
     const neighbor *list = &m->neighbor;
     const mechanics_part all[MECHANICS_PARTS] = {
-        {"bodies", sizeof *m + m->image.capacity + m->next_image.capacity +
-                       m->body_capacity * (2 * sizeof *m->bodies + sizeof *m->by_id) +
-                       m->particle_capacity * (2 * sizeof(uint32_t) + 5 * sizeof(double))},
+        {"bodies",
+         sizeof *m + m->image.capacity + m->next_image.capacity +
+             m->body_capacity * (2 * sizeof *m->bodies + sizeof *m->by_id) +
+             m->particle_capacity * (2 * sizeof(uint32_t) + (2 + (size_t)state_dimensions(m)) * sizeof(double))},
         {"chains", m->chain_capacity * sizeof *m->chains + m->share_capacity * sizeof *m->shares},
-        {"capsules", m->capsule_capacity * (capsule_size(m->flat) + 6 * sizeof *m->built_at)},
+        {"capsules",
+         m->capsule_capacity * (capsule_size(m->flat) + 2 * (size_t)state_dimensions(m) * sizeof *m->built_at)},
         {"neighbours", (list->entries_capacity + list->lanes_capacity) * sizeof(uint32_t) +
                            list->n_capacity * (sizeof *list->start + 3 * sizeof(uint32_t)) +
                            neighbor_groups(list->n_capacity) * sizeof *list->group_start +

@@ -34,37 +34,56 @@ static void collect(mechanics *m, const double *x, bool chains) {
         }
 }
 
-/* out = M^-1/2 K M^-1/2 mode */
-static void apply(const mechanics *m, const double *mode, double *out) {
-    memset(out, 0, 3 * m->nparticles * sizeof *out);
+DIMENSIONS_INLINE double dot_in(const double *a, const double *b, int dimensions) {
+    double sum = a[0] * b[0] + a[1] * b[1];
+    return dimensions > 2 ? sum + a[2] * b[2] : sum;
+}
+
+DIMENSIONS_INLINE void apply_in(const mechanics *m, const double *mode, double *out, int dimensions) {
+    const size_t width = (size_t)dimensions;
     for (size_t i = 0; i < m->stiff.count; i++) {
         const stiff_spring *s = &m->stiff.list[i];
         double along = 0;
-        for (uint32_t j = 0; j < s->count; j++) {
-            const double *y = mode + 3 * (size_t)s->particle[j];
-            along += s->g[j][0] * y[0] + s->g[j][1] * y[1] + s->g[j][2] * y[2];
-        }
         for (uint32_t j = 0; j < s->count; j++)
-            for (size_t k = 0; k < 3; k++)
-                out[3 * (size_t)s->particle[j] + k] += s->k * along * s->g[j][k];
+            along += dot_in(s->g[j], mode + width * s->particle[j], dimensions);
+        for (uint32_t j = 0; j < s->count; j++)
+            for (size_t k = 0; k < width; k++)
+                out[width * s->particle[j] + k] += s->k * along * s->g[j][k];
     }
 }
 
-static double dot(const mechanics *m, const double *a, const double *b) {
+/* out = M^-1/2 K M^-1/2 mode */
+static void apply(const mechanics *m, const double *mode, double *out) {
+    memset(out, 0, state_components(m) * sizeof *out);
+    if (m->flat)
+        apply_in(m, mode, out, 2);
+    else
+        apply_in(m, mode, out, 3);
+}
+
+DIMENSIONS_INLINE double sum_in(const mechanics *m, const double *a, const double *b, int dimensions) {
     double sum = 0;
     for (size_t i = 0; i < m->nparticles; i++) {
-        size_t p = 3 * (size_t)m->order[i];
-        sum += a[p] * b[p] + a[p + 1] * b[p + 1] + a[p + 2] * b[p + 2];
+        size_t p = (size_t)dimensions * m->order[i];
+        sum += dot_in(a + p, b + p, dimensions);
     }
     return sum;
 }
 
+DIMENSIONS_INLINE double dot(const mechanics *m, const double *a, const double *b) {
+    return m->flat ? sum_in(m, a, b, 2) : sum_in(m, a, b, 3);
+}
+
 /* A start with a part in every mode, the same for the same cells. */
 static void start(const mechanics *m, double *mode) {
+    const size_t width = (size_t)state_dimensions(m);
     for (size_t slot = 0; slot < m->nbodies; slot++) {
         const body *b = &m->bodies[slot];
-        for (uint32_t i = 0; i < b->owned; i++)
-            rng_direction(0, body_particle_key(b, b->first + i), 0, mode + 3 * (size_t)(b->first + i));
+        for (uint32_t i = 0; i < b->owned; i++) {
+            double u[3];
+            rng_direction(0, body_particle_key(b, b->first + i), 0, u);
+            memcpy(mode + width * (b->first + i), u, width * sizeof *u);
+        }
     }
 }
 
@@ -78,7 +97,7 @@ static bool is_stiffer(mechanics *m, double *probe, double value) {
         before = sqrt(dot(m, probe, probe));
         apply(m, probe, m->scratch);
         size = sqrt(dot(m, m->scratch, m->scratch));
-        memcpy(probe, m->scratch, 3 * m->nparticles * sizeof *probe);
+        memcpy(probe, m->scratch, state_components(m) * sizeof *probe);
     }
     return size > 10 * value * before;
 }
@@ -97,7 +116,7 @@ static double iterate(mechanics *m, double *mode) {
         double norm = sqrt(dot(m, m->scratch, m->scratch));
         if (!(norm > 0))
             return 0;
-        for (size_t j = 0; j < 3 * m->nparticles; j++)
+        for (size_t j = 0; j < state_components(m); j++)
             mode[j] = m->scratch[j] / norm;
         if (fabs(value - before) <= tolerance * value)
             break;
@@ -114,9 +133,9 @@ static double find(mechanics *m, const double *x, double *mode, bool chains) {
         return 0;
     bool again = dot(m, mode, mode) > 0;
     double value = iterate(m, mode);
-    double *probe = again ? alloc_zeroed(3 * m->nparticles, sizeof *probe) : NULL;
+    double *probe = again ? alloc_zeroed(state_components(m), sizeof *probe) : NULL;
     if (again && is_stiffer(m, probe, value)) {
-        memset(mode, 0, 3 * m->nparticles * sizeof *mode);
+        memset(mode, 0, state_components(m) * sizeof *mode);
         value = iterate(m, mode);
     }
     free(probe);
@@ -142,7 +161,7 @@ double mechanics_contact_stiffness(const mechanics *m) {
 }
 
 double mechanics_stiffness(mechanics *m, const double *x) {
-    double *mode = alloc_zeroed(3 * m->nparticles, sizeof *mode);
+    double *mode = alloc_zeroed(state_components(m), sizeof *mode);
     double value = mechanics_stiffness_from(m, x, mode);
     free(mode);
     return value;

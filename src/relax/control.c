@@ -14,7 +14,7 @@ double control_factor(double error, int order) {
 }
 
 double control_first_step(motion *mo, const double *a, double tolerance, int order, double *trial) {
-    size_t n = 3 * mo->n;
+    size_t n = mo->components;
     double *x = trial, *v = trial + n, *a1 = trial + 2 * n, *change = trial + 3 * n;
     /* a rough step in which the state changes by a hundredth of the tolerance, to see the second derivative */
     double slope = motion_error(mo, mo->v, a, tolerance);

@@ -16,7 +16,7 @@ typedef struct control_limit {
     bool obeyed;
     double step;  /* s; infinite where nothing limits it */
     int steps;    /* accepted since it was looked for; of methods that do not obey: short ones in a row */
-    double *mode; /* (n x 3) of the stiffest motion, owned by the method; zeros to begin with */
+    double *mode; /* (n x dimensions) of the stiffest motion, owned by the method; zeros to begin with */
 } control_limit;
 
 /* Looks for it now. SARCINA_NUMERICAL when it is below motion.least. */
@@ -34,8 +34,8 @@ int control_watch(control_limit *limit, motion *mo, diag *d);
 /* Factor for the next step after an error (in tolerances; not finite: 0.2). */
 double control_factor(double error, int order);
 
-/* First step of a method of this order. a (n x 3): accelerations at the present state; trial (n x 12): scratch. One
- * evaluation. */
+/* First step of a method of this order. a (components): accelerations at the present state; trial (4 x components):
+ * scratch. One evaluation. */
 double control_first_step(motion *mo, const double *a, double tolerance, int order, double *trial);
 
 /* The bound on a method's steps: its own (0: none) and, where it is obeyed, that of the limit; 0: none. */

@@ -17,14 +17,14 @@ typedef struct integrator_style {
     const char *source;  /* where it comes from */
     int order;           /* the convergence test fits this slope */
     unsigned caps;
-    int vectors;        /* arrays of (particles x 3) numbers that a method holds */
+    int vectors;        /* arrays of (particles x dimensions) numbers that a method holds */
     double tolerance;   /* its own, where settings.tolerance is 0; adaptive only */
     const void *method; /* for create, where several records share their functions */
     /* A method for this motion; owned by the caller, freed by destroy. */
     void *(*create)(const struct integrator_style *style, const relax_settings *how, const motion *mo);
     /* One accepted step. */
     int (*step)(void *self, motion *mo, double t1, diag *d);
-    /* Undamped forces (n x 3) at the present state where it has them, NULL where not; optional. */
+    /* Undamped forces (n x dimensions) at the present state where it has them, NULL where not; optional. */
     const double *(*force)(const void *self);
     /* Forgets its history, the step included: between segments. */
     void (*reset)(void *self);

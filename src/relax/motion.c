@@ -1,18 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "relax/motion.h"
 
+#include "mechanics/dimensions.h"
 #include "mechanics/force_style.h"
 
 #include <math.h>
 #include <string.h>
 
+DIMENSIONS_INLINE void divide(size_t n, const double *mass, double *a, size_t dimensions) {
+    for (size_t p = 0; p < n; p++)
+        for (size_t k = 0; k < dimensions; k++)
+            a[dimensions * p + k] /= mass[p];
+}
+
 void motion_accelerate(motion *mo, const double *x, const double *v, double *a) {
     const double *mass = mechanics_mass(mo->m);
     mechanics_force(mo->m, x, v, a);
     mo->evaluations++;
-    for (size_t p = 0; p < mo->n; p++)
-        for (size_t k = 0; k < 3; k++)
-            a[3 * p + k] /= mass[p];
+    if (mo->dimensions == 2)
+        divide(mo->n, mass, a, 2);
+    else
+        divide(mo->n, mass, a, 3);
 }
 
 void motion_force(motion *mo, const double *x, double *f) {
@@ -26,8 +34,8 @@ void motion_force_outside(motion *mo, const double *x, double *f) {
 }
 
 void motion_accept(motion *mo, const double *x, const double *v, double h, bool last, double t1) {
-    memcpy(mo->x, x, 3 * mo->n * sizeof *x);
-    memcpy(mo->v, v, 3 * mo->n * sizeof *v);
+    memcpy(mo->x, x, mo->components * sizeof *x);
+    memcpy(mo->v, v, mo->components * sizeof *v);
     mo->time = last ? t1 : mo->time + h;
     mo->steps++;
     if (mo->steps == 1 || h < mo->least_step)
@@ -42,11 +50,12 @@ void motion_refuse(motion *mo, cap_kind why) {
         mo->caps[why]++;
 }
 
-double motion_error(const motion *mo, const double *ex, const double *ev, double tolerance) {
+DIMENSIONS_INLINE double error_in(const motion *mo, const double *ex, const double *ev, double tolerance,
+                                  size_t dimensions) {
     double sum = 0;
     for (size_t i = 0; i < mo->n; i++) {
-        size_t p = 3 * (mo->order ? mo->order[i] : i);
-        for (size_t k = 0; k < 3; k++) {
+        size_t p = dimensions * (mo->order ? mo->order[i] : i);
+        for (size_t k = 0; k < dimensions; k++) {
             double x = ex[p + k] / tolerance, v = ev[p + k] / tolerance;
             sum += x * x + v * v;
         }
@@ -54,28 +63,44 @@ double motion_error(const motion *mo, const double *ex, const double *ev, double
     return mo->n ? sqrt(sum / (6 * (double)mo->n)) : 0;
 }
 
-bool motion_is_sane(const motion *mo, const double *x, const double *v, double farthest) {
+double motion_error(const motion *mo, const double *ex, const double *ev, double tolerance) {
+    return mo->dimensions == 2 ? error_in(mo, ex, ev, tolerance, 2) : error_in(mo, ex, ev, tolerance, 3);
+}
+
+DIMENSIONS_INLINE bool is_finite(const double *u, int dimensions) {
+    return fabs(u[0]) < HUGE_VAL && fabs(u[1]) < HUGE_VAL && (dimensions < 3 || fabs(u[2]) < HUGE_VAL);
+}
+
+DIMENSIONS_INLINE bool is_sane(const motion *mo, const double *x, const double *v, double farthest, int dimensions) {
     const double *radius = mechanics_radius(mo->m);
     size_t lost = 0;
     for (size_t p = 0; p < mo->n; p++) {
-        const double *to = x + 3 * p, *from = mo->x + 3 * p, *u = v + 3 * p, limit = farthest * radius[p];
-        double d[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-        lost += d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= limit * limit ? 0 : 1;
-        lost += fabs(u[0]) < HUGE_VAL && fabs(u[1]) < HUGE_VAL && fabs(u[2]) < HUGE_VAL ? 0 : 1;
+        const size_t row = (size_t)dimensions * p;
+        const double limit = farthest * radius[p];
+        lost += dimensions_apart(x + row, mo->x + row, dimensions) <= limit * limit ? 0 : 1;
+        lost += is_finite(v + row, dimensions) ? 0 : 1;
     }
     return lost == 0;
 }
 
-bool motion_is_gentle(const motion *mo, const double *f0, const double *f1, const double *mass, double h) {
+bool motion_is_sane(const motion *mo, const double *x, const double *v, double farthest) {
+    return mo->dimensions == 2 ? is_sane(mo, x, v, farthest, 2) : is_sane(mo, x, v, farthest, 3);
+}
+
+DIMENSIONS_INLINE bool is_gentle(const motion *mo, const double *f0, const double *f1, const double *mass, double h,
+                                 int dimensions) {
     const double *radius = mechanics_radius(mo->m);
     size_t jolts = 0;
     for (size_t p = 0; p < mo->n; p++) {
-        const double *before = f0 + 3 * p, *after = f1 + 3 * p, scale = 0.5 * h * h / (mass ? mass[p] : 1);
-        double d[3] = {after[0] - before[0], after[1] - before[1], after[2] - before[2]},
-               limit = MOTION_GENTLE * radius[p];
-        jolts += scale * scale * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) <= limit * limit ? 0 : 1;
+        const size_t row = (size_t)dimensions * p;
+        const double scale = 0.5 * h * h / (mass ? mass[p] : 1), limit = MOTION_GENTLE * radius[p];
+        jolts += scale * scale * dimensions_apart(f1 + row, f0 + row, dimensions) <= limit * limit ? 0 : 1;
     }
     return jolts == 0;
+}
+
+bool motion_is_gentle(const motion *mo, const double *f0, const double *f1, const double *mass, double h) {
+    return mo->dimensions == 2 ? is_gentle(mo, f0, f1, mass, h, 2) : is_gentle(mo, f0, f1, mass, h, 3);
 }
 
 size_t motion_worst(const motion *mo, const double *values) {
@@ -83,8 +108,7 @@ size_t motion_worst(const motion *mo, const double *values) {
     double most = -1;
     for (size_t i = 0; i < mo->n; i++) {
         size_t p = mo->order ? mo->order[i] : i;
-        const double *a = values + 3 * p;
-        double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+        double square = dimensions_square(values + (size_t)mo->dimensions * p, mo->dimensions);
         if (isfinite(square) && square <= most)
             continue;
         worst = p;

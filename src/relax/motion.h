@@ -7,11 +7,14 @@
 
 #include <stdbool.h>
 
-/* x and v are the colony's own: only accepted steps are written there. */
+/* x and v are the colony's own (mechanics_take_state): only accepted steps are written there. In the plane they, and
+ * whatever has their shape, have two numbers a particle. */
 typedef struct motion {
     mechanics *m;
     size_t n;              /* particles */
-    double *x, *v;         /* (n x 3), um, um/s */
+    int dimensions;        /* 3; 2 in the plane */
+    size_t components;     /* n x dimensions: numbers in x */
+    double *x, *v;         /* (n x dimensions), um, um/s */
     double time;           /* s, from the beginning of the relaxation */
     const uint32_t *order; /* particle rows in the order of sums (n) */
     uint64_t steps, rejected, evaluations;
@@ -20,10 +23,10 @@ typedef struct motion {
     uint64_t caps[CAP_COUNT];
 } motion;
 
-/* Accelerations a (n x 3) at x, v (n x 3): one evaluation. */
+/* Accelerations a (n x dimensions) at x, v: one evaluation. */
 void motion_accelerate(motion *mo, const double *x, const double *v, double *a);
 
-/* Undamped forces f (n x 3) at x: one evaluation. */
+/* Undamped forces f (n x dimensions) at x: one evaluation. */
 void motion_force(motion *mo, const double *x, double *f);
 
 /* The same without what acts within flexible cells: one evaluation. */
@@ -35,7 +38,8 @@ void motion_accept(motion *mo, const double *x, const double *v, double h, bool 
 /* Counts a trial that is not taken: by the cap that refused it; CAP_COUNT: by its error, which is no cap. */
 void motion_refuse(motion *mo, cap_kind why);
 
-/* Root mean square of e / tolerance over all 6 n components of (positions, velocities), in the order of ids. */
+/* Root mean square of e / tolerance over all 6 n components of (positions, velocities), in the order of ids; those
+ * along z are 0 in the plane, and count. */
 double motion_error(const motion *mo, const double *ex, const double *ev, double tolerance);
 
 /* How far a step may move a particle, in its radii: cells that pass each other untouched is what must not be. Methods
@@ -49,9 +53,10 @@ bool motion_is_sane(const motion *mo, const double *x, const double *v, double f
 /* How far, in radii, the change of force in a step may move a particle in the next. */
 #define MOTION_GENTLE 0.25
 
-/* Whether the change of force in a step of length h, from f0 to f1 (n x 3), moves no particle by more than a quarter of
- * its radius in the next one: h^2/2 |f1 - f0| / m. Where it does, a spring has come to act that the step is too long
- * for, and what the state has gained by entering it is energy from nowhere. mass (n); NULL: f are accelerations. */
+/* Whether the change of force in a step of length h, from f0 to f1 (n x dimensions), moves no particle by more than a
+ * quarter of its radius in the next one: h^2/2 |f1 - f0| / m. Where it does, a spring has come to act that the step is
+ * too long for, and what the state has gained by entering it is energy from nowhere. mass (n); NULL: f are
+ * accelerations. */
 bool motion_is_gentle(const motion *mo, const double *f0, const double *f1, const double *mass, double h);
 
 /* The particle of the first number that is not finite, or of the largest |value|. */

@@ -3,6 +3,7 @@
 #include "relax/relax.h"
 
 #include "base/alloc.h"
+#include "mechanics/dimensions.h"
 #include "mechanics/remodel.h"
 #include "relax/integrator.h"
 
@@ -19,7 +20,7 @@ static double largest_force(motion *mo, const double *known, double *scratch) {
     }
     double most = 0;
     for (size_t p = 0; p < mo->n; p++) {
-        double square = f[3 * p] * f[3 * p] + f[3 * p + 1] * f[3 * p + 1] + f[3 * p + 2] * f[3 * p + 2];
+        double square = dimensions_square(f + (size_t)mo->dimensions * p, mo->dimensions);
         most = square > most ? square : most;
     }
     return sqrt(most);
@@ -40,7 +41,7 @@ typedef struct run {
     const relax_settings *how;
     const relax_goal *goal;
     relax_result *result;
-    double *scratch; /* (n x 3), with a goal of force only */
+    double *scratch; /* (n x dimensions), with a goal of force only */
     bool remodels;   /* links may form or break */
     double every;    /* how often, s; 0: after every accepted step */
 } run;
@@ -123,14 +124,17 @@ int relax_run(mechanics *m, const relax_settings *how, const relax_goal *goal, r
     *r.result = (relax_result){0};
     r.remodels = mechanics_remodels(m);
     r.every = mechanics_remodel_every(m);
-    mechanics_state(m, &r.mo.x, &r.mo.v);
     if (r.mo.n == 0) {
         r.result->time = goal->time;
         return SARCINA_OK;
     }
+    r.mo.dimensions = mechanics_dimensions(m);
+    r.mo.components = (size_t)r.mo.dimensions * r.mo.n;
+    mechanics_take_state(m, &r.mo.x, &r.mo.v);
     r.method = r.style->create(r.style, how, &r.mo);
-    r.scratch = goal->force > 0 ? alloc_zeroed(3 * r.mo.n, sizeof *r.scratch) : NULL;
+    r.scratch = goal->force > 0 ? alloc_zeroed(r.mo.components, sizeof *r.scratch) : NULL;
     int status = advance(&r, d);
+    mechanics_return_state(m);
     report(&r.mo, r.result);
     r.style->destroy(r.method);
     free(r.scratch);

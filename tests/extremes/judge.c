@@ -57,9 +57,9 @@ static double energy_of(interp *in) {
     view v = scene_view(interp_scene(in));
     if (!v.mechanics || v.colony->particle.count == 0)
         return 0;
-    double sum = mechanics_kinetic(v.mechanics, v.colony->particle.v);
+    double sum = mechanics_kinetic(v.mechanics);
     for (int i = 0; i < FORCE_COUNT; i++)
-        sum += mechanics_energy(v.mechanics, (force_kind)i, v.colony->particle.x);
+        sum += mechanics_energy(v.mechanics, (force_kind)i, NULL);
     return sum;
 }
 

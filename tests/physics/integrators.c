@@ -124,7 +124,7 @@ static void test_refused_steps_leave_no_trace(void **state) {
         double h = 0.16;
         relax_settings how = {.integrator = (integrator_kind)kind, .step = h};
         mechanics *m = packing_mechanics(&p, NEIGHBOR_CELLS, 1);
-        motion mo = {.m = m, .n = 2, .x = p.c->particle.x, .v = p.c->particle.v};
+        motion mo = {.m = m, .n = 2, .dimensions = 3, .components = 6, .x = p.c->particle.x, .v = p.c->particle.v};
         const integrator_style *style = integrator_styles[kind];
         void *self = style->create(style, &how, &mo);
         assert_int_equal(style->step(self, &mo, h, NULL), SARCINA_OK);
@@ -178,28 +178,38 @@ static size_t allocated(void) {
     return now.uordblks + now.hblkhd;
 }
 
-/* The memory that info and -check tell is what a method takes. */
-static void test_memory(void **state) {
-    (void)state;
-    if (allocated() == 0)
-        skip(); /* the sanitizers' allocator does not count */
+/* The memory that info and -check tell is what a method takes, in space and, a third less, in the plane. */
+static void check_memory(bool flat) {
     packing p = packing_create(1);
     for (int i = 0; i < 2000; i++)
         packing_coccus(&p, (double[]){2 * i, 0, 0}, 1);
-    mechanics *m = packing_mechanics(&p, NEIGHBOR_CELLS, 1);
+    mechanics_input in = packing_input(&p, NEIGHBOR_CELLS, 1);
+    in.flat = flat;
+    mechanics *m = mechanics_create();
+    assert_int_equal(mechanics_prepare(m, &in, NULL), SARCINA_OK);
+    const size_t n = mechanics_particles(m), dimensions = (size_t)mechanics_dimensions(m);
+    assert_int_equal(dimensions, flat ? 2 : 3);
     for (int kind = 0; kind < INTEGRATOR_COUNT; kind++) {
         const integrator_style *style = integrator_styles[kind];
         const relax_settings how = {.integrator = (integrator_kind)kind};
-        const motion mo = {.m = m, .n = mechanics_particles(m)};
+        const motion mo = {.m = m, .n = n, .dimensions = (int)dimensions, .components = dimensions * n};
         size_t before = allocated();
         void *method = style->create(style, &how, &mo);
-        double vectors = (double)(allocated() - before) / (3 * sizeof(double) * (double)mo.n);
+        double vectors = (double)(allocated() - before) / (double)(mo.components * sizeof(double));
         style->destroy(method);
         if (fabs(vectors - style->vectors) > 0.4)
             fail_msg("%s holds %.2f arrays, not %d", style->name, vectors, style->vectors);
     }
     mechanics_free(m);
     packing_free(&p);
+}
+
+static void test_memory(void **state) {
+    (void)state;
+    if (allocated() == 0)
+        skip(); /* the sanitizers' allocator does not count */
+    check_memory(false);
+    check_memory(true);
 }
 
 int main(void) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Two dimensions: the same bits as three have where every z is 0, no z ever, fallback directions in the plane, and a
- * third of what contacts do by component less (counted by tests/bench/term_cost). */
+/* Two dimensions: the same bits as three have where every z is 0, no z ever, a third less of every vector, fallback
+ * directions in the plane. What work it saves is counted by tests/bench/term_cost. */
 #include "check.h"
 #include "packing.h"
 
@@ -86,6 +86,85 @@ static void test_coincident(void **state) {
     }
 }
 
+/* What is measured of the colony is the same, too, and leaves it as it was; so does a relaxation that fails. */
+static void test_measures(void **state) {
+    (void)state;
+    packing p = make(0.5, 5);
+    mechanics *m[2] = {bind(&p, false, NEIGHBOR_CELLS), bind(&p, true, NEIGHBOR_CELLS)};
+    const size_t ncells = p.c->cell.count, bytes = 3 * p.c->particle.count * sizeof(double);
+    double *x = malloc(bytes), *v = malloc(bytes), *force[2], *overlap[2];
+    uint32_t *contacts[2];
+    memcpy(x, p.c->particle.x, bytes);
+    memcpy(v, p.c->particle.v, bytes);
+    for (int i = 0; i < 2; i++) {
+        force[i] = calloc(3 * ncells, sizeof(double));
+        overlap[i] = calloc(ncells, sizeof(double));
+        contacts[i] = calloc(ncells, sizeof(uint32_t));
+        mechanics_contacts(m[i], overlap[i], contacts[i], force[i]);
+    }
+    assert_memory_equal(force[0], force[1], 3 * ncells * sizeof(double));
+    assert_memory_equal(overlap[0], overlap[1], ncells * sizeof(double));
+    assert_memory_equal(contacts[0], contacts[1], ncells * sizeof(uint32_t));
+    assert_true(mechanics_fmax(m[0]) > 0 && mechanics_fmax(m[0]) == mechanics_fmax(m[1]));
+    assert_true(mechanics_kinetic(m[0]) > 0 && mechanics_kinetic(m[0]) == mechanics_kinetic(m[1]));
+    for (int term = 0; term < FORCE_COUNT; term++)
+        assert_true(mechanics_energy(m[0], (force_kind)term, NULL) == mechanics_energy(m[1], (force_kind)term, NULL));
+    assert_true(mechanics_energy(m[1], FORCE_COLLISION, NULL) > 0 && mechanics_energy(m[1], FORCE_INTERNAL, NULL) > 0);
+    const relax_settings how = {.integrator = INTEGRATOR_VERLET};
+    const volatile sig_atomic_t stop = 1;
+    relax_result r;
+    assert_int_equal(relax_run(m[1], &how, &(relax_goal){.time = 1, .interrupt = &stop}, &r, NULL), SARCINA_OK);
+    assert_int_equal(r.stop, RELAX_INTERRUPTED);
+    assert_memory_equal(p.c->particle.x, x, bytes);
+    assert_memory_equal(p.c->particle.v, v, bytes);
+    for (int i = 0; i < 2; i++) {
+        free(force[i]);
+        free(overlap[i]);
+        free(contacts[i]);
+        mechanics_free(m[i]);
+    }
+    free(x);
+    free(v);
+    packing_free(&p);
+}
+
+static size_t part(const mechanics *m, const char *name) {
+    mechanics_part parts[MECHANICS_PARTS];
+    mechanics_memory(m, parts);
+    for (int i = 0; i < MECHANICS_PARTS; i++)
+        if (strcmp(parts[i].name, name) == 0)
+            return parts[i].bytes;
+    fail_msg("no part %s", name);
+    return 0;
+}
+
+/* Of every vector a third is not there, exactly: a number a particle in the forces, two a body in its capsule, two in
+ * where it was when the list was built. */
+static void test_memory(void **state) {
+    (void)state;
+    for (int rods = 0; rods <= 1; rods++) {
+        packing p = make(rods, 5);
+        mechanics *space = bind(&p, false, NEIGHBOR_CELLS), *plane = bind(&p, true, NEIGHBOR_CELLS);
+        mechanics_fmax(space);
+        mechanics_fmax(plane);
+        const size_t bodies = p.c->cell.count + 1 + p.c->cell.count / 2, number = sizeof(double);
+        const size_t particles = p.c->particle.count + p.c->particle.count / 2;
+        assert_int_equal(part(space, "bodies") - part(plane, "bodies"), particles * number);
+        assert_int_equal(part(space, "capsules") - part(plane, "capsules"), bodies * 4 * number);
+        assert_int_equal(part(space, "capsules"), bodies * (12 + 2) * number);
+        mechanics_input in = packing_input(&p, NEIGHBOR_CELLS, 1);
+        assert_int_equal(mechanics_prepare(space, &in, NULL), SARCINA_OK);
+        assert_int_equal(mechanics_prepare(plane, &in, NULL), SARCINA_OK); /* and is there again in space */
+        mechanics_fmax(plane);
+        assert_int_equal(part(space, "capsules"), part(plane, "capsules"));
+        assert_int_equal(part(space, "bodies"), part(plane, "bodies"));
+        assert_true(mechanics_fmax(space) == mechanics_fmax(plane));
+        mechanics_free(space);
+        mechanics_free(plane);
+        packing_free(&p);
+    }
+}
+
 static void test_directions(void **state) {
     (void)state;
     enum { N = 20000 };
@@ -107,9 +186,8 @@ static void test_directions(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_same_bits),
-        cmocka_unit_test(test_coincident),
-        cmocka_unit_test(test_directions),
+        cmocka_unit_test(test_same_bits), cmocka_unit_test(test_coincident), cmocka_unit_test(test_measures),
+        cmocka_unit_test(test_memory),    cmocka_unit_test(test_directions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

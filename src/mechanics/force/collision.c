@@ -57,7 +57,8 @@ typedef struct kind {
  * there until all bodies are done. */
 COLLISION_INLINE void give(const force_frame *at, const body *owner, const kernel_sums *sums, size_t lane, double *f,
                            kind of) {
-    double *first = f + 3 * (size_t)owner->first, *last = first + 3 * (size_t)(owner->count - 1);
+    const size_t width = (size_t)of.dimensions;
+    double *first = f + width * owner->first, *last = first + width * (owner->count - 1);
     if (of.chains && owner->chained) {
         last = at->shares + 3 * (size_t)(owner->first + 1);
         last[0] = last[1] = last[2] = 0;

@@ -3,12 +3,20 @@
  * Source: Storck et al. 2014, "Damping". */
 #include "mechanics/force/forces.h"
 
-static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+DIMENSIONS_INLINE void add_in(const double *p, const force_frame *at, size_t begin, size_t end, double *f,
+                              size_t dimensions) {
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &at->bodies[slot];
-        for (size_t i = 3 * (size_t)b->first; i < 3 * (size_t)(b->first + b->owned); i++)
+        for (size_t i = dimensions * b->first; i < dimensions * (b->first + b->owned); i++)
             f[i] += -p[DAMPING_K] * at->v[i];
     }
+}
+
+static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+    if (at->flat)
+        add_in(p, at, begin, end, f, 2);
+    else
+        add_in(p, at, begin, end, f, 3);
 }
 
 static double drag(const double *p) {

@@ -4,35 +4,41 @@
  * segment, whose rest length is its part of the cell's.
  * Source: Storck et al. 2014, "Primary structure". */
 #include "mechanics/force/forces.h"
-#include "base/vec3.h"
 #include "mechanics/spring.h"
 
 #include <math.h>
 
 /* A rod's spring: tension (k times stretch) over length, and the vector of that length from its first particle. */
-static double pull(const force_frame *at, const body *b, double d[3]) {
-    const double *x = at->x + 3 * (size_t)b->first;
-    for (int i = 0; i < 3; i++)
-        d[i] = x[i + 3] - x[i];
-    double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+DIMENSIONS_INLINE double pull(const force_frame *at, const body *b, int dimensions, double d[3]) {
+    const double *x = at->x + (size_t)dimensions * b->first;
+    for (int i = 0; i < dimensions; i++)
+        d[i] = x[i + dimensions] - x[i];
+    double length = sqrt(dimensions_square(d, dimensions));
     if (length > 0)
         return b->internal_k * (length - b->rest) / length;
     force_direction(at, body_particle_key(b, b->first), body_particle_key(b, b->first + 1), d);
     return -b->internal_k * b->rest;
 }
 
-static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
-    (void)p;
+DIMENSIONS_INLINE void add_in(const force_frame *at, size_t begin, size_t end, double *f, int dimensions) {
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &at->bodies[slot];
         if (b->count != 2 || b->internal_k == 0)
             continue;
-        double d[3], factor = pull(at, b, d), *out = f + 3 * (size_t)b->first;
-        for (int i = 0; i < 3; i++) {
+        double d[3], factor = pull(at, b, dimensions, d), *out = f + (size_t)dimensions * b->first;
+        for (int i = 0; i < dimensions; i++) {
             out[i] += factor * d[i];
-            out[i + 3] -= factor * d[i];
+            out[i + dimensions] -= factor * d[i];
         }
     }
+}
+
+static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+    (void)p;
+    if (at->flat)
+        add_in(at, begin, end, f, 2);
+    else
+        add_in(at, begin, end, f, 3);
 }
 
 static double energy(const double *p, const force_frame *at, size_t slot) {
@@ -40,8 +46,9 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
     const body *b = &at->bodies[slot];
     if (b->count != 2 || b->internal_k == 0)
         return 0;
-    const double *x = at->x + 3 * (size_t)b->first;
-    double stretch = vec3_norm(vec3_sub(vec3_load(x + 3), vec3_load(x))) - b->rest;
+    const int dimensions = force_dimensions(at);
+    const double *x = at->x + (size_t)dimensions * b->first;
+    double stretch = sqrt(dimensions_apart(x + dimensions, x, dimensions)) - b->rest;
     return 0.5 * b->internal_k * stretch * stretch;
 }
 
@@ -51,9 +58,10 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
     if (b->count != 2 || b->internal_k == 0)
         return;
     stiff_spring *s = force_spring_add(out);
-    const double *x = at->x + 3 * (size_t)b->first;
+    const int dimensions = force_dimensions(at);
+    const double *x = at->x + (size_t)dimensions * b->first;
     double u[3];
-    spring_direction(x, x + 3, at, body_particle_key(b, b->first), body_particle_key(b, b->first + 1), u);
+    spring_direction(x, x + dimensions, at, body_particle_key(b, b->first), body_particle_key(b, b->first + 1), u);
     s->k = b->internal_k;
     force_spring_end(s, b->first, 1, u);
     force_spring_end(s, b->first + 1, -1, u);

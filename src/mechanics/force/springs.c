@@ -21,12 +21,13 @@ static void anchor_direction(const force_frame *at, bool glides, uint64_t key, d
 /* Length of the spring that ends at a particle, and its direction from there. */
 static double reach_end(const force_frame *at, const spring_end *end, uint64_t key, uint32_t particle, double u[3]) {
     const spring_columns *springs = at->springs->springs;
-    const double *x = at->x + 3 * (size_t)particle;
+    const size_t width = (size_t)force_dimensions(at);
+    const double *x = at->x + width * particle;
     if (end->other != SPRING_ANCHOR)
-        return spring_direction(x, at->x + 3 * (size_t)end->other, at, key, end->key, u);
+        return spring_direction(x, at->x + width * end->other, at, key, end->key, u);
     const double *anchor = springs->anchor + 3 * (size_t)end->spring;
     bool glides = springs->glides[end->spring];
-    double d[3] = {glides ? 0 : anchor[0] - x[0], glides ? 0 : anchor[1] - x[1], anchor[2] - x[2]};
+    double d[3] = {glides ? 0 : anchor[0] - x[0], glides ? 0 : anchor[1] - x[1], at->flat ? 0 : anchor[2] - x[2]};
     double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     for (int i = 0; i < 3; i++)
         u[i] = d[i] / length;
@@ -42,15 +43,17 @@ static void add_special(const force_frame *at, const spring_end *end, uint64_t k
         sum[i] += tension * u[i];
 }
 
-static void add_particle(const force_frame *at, const body *b, uint32_t particle, double *f) {
+DIMENSIONS_INLINE void add_particle(const force_frame *at, const body *b, uint32_t particle, double *f,
+                                    int dimensions) {
     const spring_index *index = at->springs;
-    const double *x = at->x + 3 * (size_t)particle;
+    const double *x = at->x + (size_t)dimensions * particle;
+    double *out = f + (size_t)dimensions * particle;
     double sum[3] = {0, 0, 0}, d[3] = {0, 0, 0};
     for (uint32_t e = index->start[particle]; e < index->start[particle + 1]; e++) {
         const spring_end *end = &index->ends[e];
         double square = 0;
-        for (int i = 0; i < 3 && end->other != SPRING_ANCHOR; i++) {
-            d[i] = at->x[3 * (size_t)end->other + (size_t)i] - x[i];
+        for (int i = 0; i < dimensions && end->other != SPRING_ANCHOR; i++) {
+            d[i] = at->x[(size_t)dimensions * end->other + (size_t)i] - x[i];
             square += d[i] * d[i];
         }
         if (square == 0) {
@@ -58,23 +61,30 @@ static void add_particle(const force_frame *at, const body *b, uint32_t particle
             continue;
         }
         double length = sqrt(square), factor = end->k * (length - end->rest) / length;
-        for (int i = 0; i < 3; i++)
+        for (int i = 0; i < dimensions; i++)
             sum[i] += factor * d[i];
     }
-    for (int i = 0; i < 3; i++)
-        f[3 * (size_t)particle + (size_t)i] += sum[i];
+    for (int i = 0; i < dimensions; i++)
+        out[i] += sum[i];
 }
 
-static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
-    (void)p;
+DIMENSIONS_INLINE void add_in(const force_frame *at, size_t begin, size_t end, double *f, int dimensions) {
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &at->bodies[slot];
         const uint32_t *start = at->springs->start + b->first;
         if (start[0] == start[b->owned])
             continue; /* no spring ends here */
         for (uint32_t i = b->first; i < b->first + b->owned; i++)
-            add_particle(at, b, i, f);
+            add_particle(at, b, i, f, dimensions);
     }
+}
+
+static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
+    (void)p;
+    if (at->flat)
+        add_in(at, begin, end, f, 2);
+    else
+        add_in(at, begin, end, f, 3);
 }
 
 /* A spring between two particles belongs to its particle a. */

@@ -37,7 +37,7 @@ typedef struct embedded {
     const integrator_style *style;
     const tableau *table;
     double tolerance, most, fixed, h;
-    size_t n;                              /* 3 x particles */
+    size_t n;                              /* particles x dimensions */
     bool started;                          /* h holds */
     bool stale;                            /* the first stage does not */
     double *v[STAGES_MAX], *a[STAGES_MAX]; /* derivatives of x and v at the stages (n each) */
@@ -53,7 +53,7 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     self->tolerance = how->tolerance > 0 ? how->tolerance : style->tolerance;
     self->most = how->most;
     self->fixed = how->step;
-    self->n = 3 * mo->n;
+    self->n = mo->components;
     self->memory = alloc_zeroed((2 * STAGES_MAX + 5) * self->n, sizeof *self->memory);
     for (size_t i = 0; i < STAGES_MAX; i++) {
         self->v[i] = self->memory + 2 * i * self->n;

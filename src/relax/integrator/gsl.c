@@ -16,7 +16,7 @@ typedef struct stepper {
     const integrator_style *style;
     gsl_odeiv2_step *gsl;
     double tolerance, most, fixed, h;
-    size_t n;            /* 3 x particles */
+    size_t n;            /* particles x dimensions */
     bool started, stale; /* h holds; the slope does not */
     control_limit limit;
     double *y, *error, *slope, *next_slope, *scratch, *memory; /* (x, v) and the like (2 n each); scratch (4 n) */
@@ -28,7 +28,7 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     self->tolerance = how->tolerance > 0 ? how->tolerance : style->tolerance;
     self->most = how->most;
     self->fixed = how->step;
-    self->n = 3 * mo->n;
+    self->n = mo->components;
     const gsl_odeiv2_step_type *const *type = style->method;
     self->gsl = gsl_odeiv2_step_alloc(*type, 2 * self->n);
     self->memory = alloc_zeroed(13 * self->n, sizeof *self->memory);
@@ -67,7 +67,7 @@ static void destroy(void *of) {
 static int slope_of(double t, const double y[], double dydt[], void *params) {
     (void)t;
     motion *mo = params;
-    size_t n = 3 * mo->n;
+    size_t n = mo->components;
     memcpy(dydt, y + n, n * sizeof *y);
     motion_accelerate(mo, y, y + n, dydt + n);
     return GSL_SUCCESS;

@@ -20,6 +20,7 @@
 #include "relax/integrator.h"
 
 #include "base/alloc.h"
+#include "mechanics/dimensions.h"
 #include "mechanics/kernel.h"
 
 #include <math.h>
@@ -47,7 +48,7 @@ typedef struct splitting {
     double heavier;      /* the masses of the present step are this many times the particles' own */
     double due;          /* when they grow again, s */
     double least_radius; /* of all particles, um */
-    size_t n;            /* 3 x particles */
+    size_t n;            /* particles x dimensions */
     bool chains;         /* flexible cells fly on their own */
     bool started;
     bool stale;      /* the force is that of links as they were */
@@ -85,7 +86,7 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     splitting *self = alloc_zeroed(1, sizeof *self);
     self->fixed = how->step;
     self->most = how->most;
-    self->n = 3 * mo->n;
+    self->n = mo->components;
     self->chains = mechanics_has_chains(mo->m);
     self->memory = alloc_zeroed(8 * self->n, sizeof *self->memory);
     self->force = self->memory;
@@ -176,9 +177,7 @@ static bool look(splitting *self, motion *mo, double t1) {
     return self->short_looks < SHORT_LOOKS && bearable >= least_refused * mo->least;
 }
 
-static void prepare_factors(splitting *self, const motion *mo) {
-    if (self->factors_for[0] == self->h && self->factors_for[1] == self->heavier)
-        return;
+DIMENSIONS_INLINE void set_factors(splitting *self, const motion *mo, size_t width) {
     const double *mass = mechanics_mass(mo->m);
     double drag = mechanics_drag(mo->m), kick = 0, rate = 0, loss = 0;
     for (size_t p = 0; p < mo->n; p++) {
@@ -187,16 +186,25 @@ static void prepare_factors(splitting *self, const motion *mo) {
             kick = 0.5 * self->h / (self->heavier * mass[p]);
             loss = Sleef_cinz_expm1d1_u10purec(-rate * self->h);
         }
-        for (size_t i = 3 * p; i < 3 * p + 3; i++) {
+        for (size_t i = width * p; i < width * (p + 1); i++) {
             self->kick[i] = kick;
             self->decay[i] = 1 + loss;
             self->flight[i] = rate > 0 ? -loss / rate : self->h;
         }
-        for (size_t i = 3 * p; self->chains && i < 3 * p + 3 && mechanics_is_chained(mo->m, p); i++) {
+        for (size_t i = width * p; self->chains && i < width * (p + 1) && mechanics_is_chained(mo->m, p); i++) {
             self->decay[i] = 1;
             self->flight[i] = 0;
         }
     }
+}
+
+static void prepare_factors(splitting *self, const motion *mo) {
+    if (self->factors_for[0] == self->h && self->factors_for[1] == self->heavier)
+        return;
+    if (mo->dimensions == 2)
+        set_factors(self, mo, 2);
+    else
+        set_factors(self, mo, 3);
     self->factors_for[0] = self->h;
     self->factors_for[1] = self->heavier;
 }
@@ -213,7 +221,7 @@ static bool fly(splitting *self, const motion *mo, double weight) {
                              .force = self->force,
                              .x = self->x,
                              .v = self->v,
-                             .near = MOTION_FARTHEST * self->least_radius / sqrt(3) * (1 - 1e-12)};
+                             .near = MOTION_FARTHEST * self->least_radius / sqrt(mo->dimensions) * (1 - 1e-12)};
     size_t far = mechanics_loops(mo->m)->fly(self->n, &q);
     if (!self->chains)
         return far == 0 || motion_is_sane(mo, self->x, self->v, MOTION_FARTHEST);
@@ -225,7 +233,7 @@ static bool fly(splitting *self, const motion *mo, double weight) {
  * along every axis is seen in passing and suffices. */
 static bool land(splitting *self, const motion *mo, double weight) {
     const double *before = self->force, *after = self->trial_force;
-    double little = MOTION_GENTLE * self->least_radius / sqrt(3) * (1 - 1e-12) / self->h;
+    double little = MOTION_GENTLE * self->least_radius / sqrt(mo->dimensions) * (1 - 1e-12) / self->h;
     size_t jolted = mechanics_loops(mo->m)->kick(self->n, weight, self->kick, before, after, little, self->v);
     return jolted == 0 || motion_is_gentle(mo, before, after, mechanics_mass(mo->m), self->h / sqrt(self->heavier));
 }
