@@ -24,7 +24,8 @@ static int row_of(int cells) {
 static void add_cells(packing *p, bool rods, int cells) {
     const int row = row_of(cells);
     for (int i = 0; i < cells; i++) {
-        double x = (rods ? 2.85 : 0.79) * (i % row), y = 0.79 * (i / row), turn = packing_draw(p, -0.02, 0.02);
+        const int column = i % row, line = i / row;
+        double x = (rods ? 2.85 : 0.79) * column, y = 0.79 * line, turn = packing_draw(p, -0.02, 0.02);
         if (rods)
             packing_rod(p, (double[]){x, y - turn, 0.4}, (double[]){x + 2, y + turn, 0.41}, 2, 0.8);
         else
