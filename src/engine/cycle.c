@@ -17,6 +17,14 @@ double scene_clock(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+/* sum += by, and the rest what that has rounded off: 1e6 steps of dt come to 1e6 dt, and outputs that are due by the
+ * time stay in step with it. Source: Neumaier 1974, Z. Angew. Math. Mech. 54:39, the rest folded in at once. */
+static void pass_time(double *sum, double *rest, double by) {
+    double due = *rest + by, now = *sum + due;
+    *rest = due - (now - *sum);
+    *sum = now;
+}
+
 /* Adds the seconds since `from` to a stage and returns the present time. */
 static double clock_stage(double *stage, double from) {
     double t = scene_clock();
@@ -42,7 +50,7 @@ int scene_grow(scene *s, double dt, diag *d) {
     if (status)
         return status;
     s->growth_steps++;
-    s->time += dt;
+    pass_time(&s->time, &s->time_rest, dt);
     t = clock_stage(&s->timing.grow, t);
     const division_context x = {.colony = s->colony,
                                 .species = &s->species,
@@ -95,7 +103,7 @@ int scene_relax(scene *s, double time, double force, relax_result *result, diag 
     if (status == SARCINA_OK)
         status = check_links(s, d);
     if (status == SARCINA_OK) {
-        s->relaxed += result->time;
+        pass_time(&s->relaxed, &s->relaxed_rest, result->time);
         result->caps[CAP_CLAMPED] = mechanics_clamped(s->mechanics);
         cap_add(s->colony->caps, result->caps);
         note_relaxation(s, &from, result);

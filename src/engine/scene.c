@@ -24,7 +24,7 @@ static void set_defaults(scene *s) {
     memset(&s->timing, 0, sizeof s->timing);
     s->tally = (scene_tally){.least_step = INFINITY};
     s->step = s->growth_steps = s->deletions = 0;
-    s->time = s->relaxed = 0;
+    s->time = s->relaxed = s->time_rest = s->relaxed_rest = 0;
     rng_seed(s->rng, 1);
 }
 

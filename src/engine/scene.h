@@ -80,10 +80,11 @@ typedef struct scene {
     int accuracy; /* row in accuracy_presets */
     int threads;
     rng *rng;
-    uint64_t step;         /* cycles done */
-    uint64_t growth_steps; /* grow calls done: the step of the random streams */
-    uint64_t deletions;    /* draws of delete_cells: the step of its random streams */
-    double time, relaxed;  /* s */
+    uint64_t step;                  /* cycles done */
+    uint64_t growth_steps;          /* grow calls done: the step of the random streams */
+    uint64_t deletions;             /* draws of delete_cells: the step of its random streams */
+    double time, relaxed;           /* s */
+    double time_rest, relaxed_rest; /* of these sums, what rounding has left out so far */
     mechanics *mechanics;
     struct view_cache *cache; /* of the views that scene_view makes, kept while the state below is the same */
     struct {

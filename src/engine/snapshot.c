@@ -12,7 +12,7 @@ struct snapshot {
     colony *colony;
     lineage *dead;
     uint64_t step, growth_steps, deletions, arrived, crowded;
-    double time, relaxed;
+    double time, relaxed, time_rest, relaxed_rest;
 };
 
 snapshot *snapshot_take(const scene *s) {
@@ -27,6 +27,8 @@ snapshot *snapshot_take(const scene *s) {
     p->deletions = s->deletions;
     p->time = s->time;
     p->relaxed = s->relaxed;
+    p->time_rest = s->time_rest;
+    p->relaxed_rest = s->relaxed_rest;
     return p;
 }
 
@@ -49,6 +51,8 @@ void snapshot_restore(scene *s, const snapshot *p) {
     s->deletions = p->deletions;
     s->time = p->time;
     s->relaxed = p->relaxed;
+    s->time_rest = p->time_rest;
+    s->relaxed_rest = p->relaxed_rest;
 }
 
 static int save_column(void *self, const char *table, const char *column, void *data, size_t row_bytes, size_t rows) {
@@ -95,6 +99,8 @@ void snapshot_save(scene *s, archive *a) {
                                c->particle.count, c->cell.count, c->link.count, c->spring.count);
     archive_put(a, "clock", clock, strlen(clock));
     free(clock);
+    char rests[64];
+    archive_put(a, "rests", rests, (size_t)snprintf(rests, sizeof rests, "%a %a", s->time_rest, s->relaxed_rest));
     save_caps(c, a);
     colony_walk(c, save_column, a);
     archive_put(a, "lineage", lineage_pairs(s->dead), 16 * lineage_count(s->dead));
@@ -161,6 +167,10 @@ int snapshot_load(scene *s, const archive *a, diag *d) {
     s->deletions = deletions;
     s->time = time;
     s->relaxed = relaxed;
+    s->time_rest = s->relaxed_rest = 0;
+    const char *rests = archive_get(a, "rests", NULL); /* files of earlier versions have none */
+    if (rests)
+        sscanf(rests, "%la %la", &s->time_rest, &s->relaxed_rest);
     rng_seed(s->rng, seed);
     return SARCINA_OK;
 }

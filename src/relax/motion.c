@@ -4,6 +4,7 @@
 #include "mechanics/dimensions.h"
 #include "mechanics/force_style.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -162,7 +163,35 @@ int motion_fail_damped(motion *mo, size_t particle, diag *d) {
     return diag_help(d, "integrators verlet and euler, of accuracy draft to balanced, bear any damping");
 }
 
+/* Without squares, which overflow. */
+static double largest_of(const double *a) {
+    return fmax(fmax(fabs(a[0]), fabs(a[1])), fabs(a[2]));
+}
+
+/* What is wrong before any force acts: a place where numbers are too coarse for a cell's size, or a speed that no step
+ * bears. SARCINA_OK: neither. */
+static int fail_state(motion *mo, double least, diag *d) {
+    static const double coarse = 1e-3; /* radii between one number and the next */
+    size_t far = motion_worst(mo, mo->x), fast = motion_worst(mo, mo->v);
+    const double *radius = mechanics_radius(mo->m);
+    double distance = largest_of(mo->x + 3 * far), speed = largest_of(mo->v + 3 * fast);
+    if (!(distance * DBL_EPSILON <= coarse * radius[far])) {
+        diag_fail(d, SARCINA_NUMERICAL,
+                  "cell %llu is %.3g m from the origin, where numbers are too coarse for its size",
+                  (unsigned long long)mechanics_blame(mo->m, mo->x, far).cell, distance * 1e-6);
+        return diag_help(d, "bring the cells near the origin: set all x (x - ...)");
+    }
+    if (speed * least <= MOTION_FARTHEST * radius[fast])
+        return SARCINA_OK;
+    diag_fail(d, SARCINA_NUMERICAL, "cell %llu moves at %.3g m/s, too far in any step down to %.2g us",
+              (unsigned long long)mechanics_blame(mo->m, mo->x, fast).cell, speed * 1e-6, least * 1e6);
+    return diag_help(d, "at rest: set all vx 0, and vy and vz");
+}
+
 int motion_fail_thrown(motion *mo, size_t particle, double least, diag *d) {
+    int status = fail_state(mo, least, d);
+    if (status)
+        return status;
     const mechanics_culprit c = mechanics_blame(mo->m, mo->x, particle);
     diag_fail(d, SARCINA_NUMERICAL, "cell %llu: %s drives it too far in any step down to %.2g us, after %.6g s",
               (unsigned long long)c.cell, term_name(c.strongest), least * 1e6, mo->time);

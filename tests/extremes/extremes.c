@@ -3,8 +3,11 @@
  *
  *     extremes FOLDER [TIER]          the cases of FOLDER/cases.tbl up to this tier (SARCINA_TEST_TIER, quick)
  *     extremes FOLDER case ID...      these cases
- *     extremes FOLDER map             the manual's page of them, man/src/sarcina-extremes.7 */
-#include "extremes/judge.h"
+ *     extremes FOLDER record [ID...]  what comes of all of them, for FOLDER/outcomes.tsv
+ *     extremes FOLDER map             the manual's page of them, man/src/sarcina-extremes.7, from outcomes.tsv
+ *
+ * From the full tier on what comes must be what is recorded, too. */
+#include "extremes/outcome.h"
 
 #include "base/alloc.h"
 #include "relax/relax.h"
@@ -20,36 +23,35 @@ static const unsigned patience[TIER_COUNT] = {60, 300, 36000};
 typedef struct tally {
     size_t passed, failed;
     double seconds;
+    bool recording;                /* rows are printed, and nothing else */
+    const outcome_table *recorded; /* to compare with; NULL: nothing is */
 } tally;
 
-/* What is due of a case, as the run asserts it: presets of which the same is due stand together. */
-static void map_case(const extreme *e) {
-    printf(".It %s\n", e->title);
-    for (size_t p = 0; p < accuracy_preset_count; p++) {
-        const due *d = &e->due[p];
-        bool told = p > 0 && d->refused == d[-1].refused && strcmp(d->clause[0], d[-1].clause[0]) == 0;
-        if (told)
-            continue;
-        size_t last = p;
-        while (last + 1 < accuracy_preset_count && e->due[last + 1].refused == d->refused &&
-               strcmp(e->due[last + 1].clause[0], d->clause[0]) == 0)
-            last++;
-        for (size_t k = p; k <= last && last - p + 1 < accuracy_preset_count; k++)
-            printf("%s%s", accuracy_presets[k].name, k < last ? ", " : ": ");
-        printf("%s", d->refused ? "refused: " : "holds: ");
-        for (int k = 0; k < d->nclauses; k++)
-            printf("%s%s", d->clause[k], k + 1 < d->nclauses ? (d->refused ? " ... " : "; ") : ".\n");
+/* Is it what is recorded? If not, the verdict says what is. */
+static void compare(const tally *t, const extreme *e, size_t preset, verdict *v) {
+    char *row = outcome_row(e, preset, v);
+    const char *recorded = outcome_find(t->recorded, e, preset);
+    if (t->recorded && v->good && (!recorded || strcmp(row, recorded) != 0)) {
+        v->good = 0;
+        snprintf(v->words, sizeof v->words, "recorded is '%.400s', now it is '%.400s': extremes FOLDER record",
+                 recorded ? recorded : "nothing", row);
     }
+    if (t->recording)
+        printf("%s\n", row);
+    free(row);
 }
 
 static void run_case(const extreme *e, tally *t) {
     double seconds = 0;
-    printf("%-28s", e->id);
+    if (!t->recording)
+        printf("%-28s", e->id);
     char *complaints = alloc_copy("");
     for (size_t p = 0; p < accuracy_preset_count; p++) {
         verdict v = judge(e, p, patience[e->tier]);
         seconds += v.seconds;
-        printf(" %-7s", !v.good ? "FAILS" : v.refused ? "refused" : "holds");
+        compare(t, e, p, &v);
+        if (!t->recording)
+            printf(" %-7s", !v.good ? "FAILS" : v.refused ? "refused" : "holds");
         if (v.good) {
             t->passed++;
             continue;
@@ -60,7 +62,10 @@ static void run_case(const extreme *e, tally *t) {
         free(complaints);
         complaints = more;
     }
-    printf(" %6.2f s\n%s", seconds, complaints);
+    if (!t->recording)
+        printf(" %6.2f s\n%s", seconds, complaints);
+    else
+        fputs(complaints, stderr);
     t->seconds += seconds;
     free(complaints);
 }
@@ -72,14 +77,21 @@ static tier tier_of(const char *name) {
     return TIER_QUICK;
 }
 
+static tier wanted_tier(int argc, char **argv) {
+    if (argc > 2 && strcmp(argv[2], "record") == 0)
+        return TIER_FULL;
+    return tier_of(argc > 2 ? argv[2] : getenv("SARCINA_TEST_TIER"));
+}
+
 static bool is_wanted(const extreme *e, int argc, char **argv) {
-    if (argc > 2 && strcmp(argv[2], "case") == 0) {
+    bool named = argc > 2 && (strcmp(argv[2], "case") == 0 || (strcmp(argv[2], "record") == 0 && argc > 3));
+    if (named) {
         for (int i = 3; i < argc; i++)
             if (strcmp(argv[i], e->id) == 0)
                 return true;
         return false;
     }
-    return e->tier <= tier_of(argc > 2 ? argv[2] : getenv("SARCINA_TEST_TIER"));
+    return e->tier <= wanted_tier(argc, argv);
 }
 
 /* A folder for what the cases write, which goes with the program. */
@@ -99,43 +111,44 @@ static void leave_scratch(char *folder) {
     free(folder);
 }
 
-/* The map of the manual. What it says has been asserted by the run before it: each case came to what was due. */
-static void write_map(const extreme_table *table) {
-    puts("what comes of scenes at the extremes\n.Sh DESCRIPTION\n"
-         "Each of these scenes is run with every preset of\n.Xr sarcina-accuracy 7\n"
-         "by tests/extremes, which asserts what stands here, and from which this page is written.\n"
-         "A scene holds when it comes to its end with every number finite and what is named true (energy: no more of\n"
-         "it, moving and stored, than before; momentum: none in all); or it is refused, with a message that has these\n"
-         "words in it, the scene as after the last whole cycle, and the session able to go on.\n"
-         ".Sh CASES\n.Bl -tag -width Ds");
-    for (size_t i = 0; i < table->n; i++)
-        if (table->list[i].tier <= TIER_FULL)
-            map_case(&table->list[i]);
-    puts(".El");
+static bool is_asked(int argc, char **argv, const char *word) {
+    return argc > 2 && strcmp(argv[2], word) == 0;
+}
+
+/* Runs the cases that are wanted; the exit status. */
+static int run_cases(const extreme_table *table, const outcome_table *recorded, int argc, char **argv) {
+    tally t = {.recording = is_asked(argc, argv, "record")};
+    if (!t.recording && !is_asked(argc, argv, "case") && wanted_tier(argc, argv) >= TIER_FULL)
+        t.recorded = recorded;
+    char *folder = enter_scratch();
+    for (size_t i = 0; folder && i < table->n; i++)
+        if (is_wanted(&table->list[i], argc, argv))
+            run_case(&table->list[i], &t);
+    if (folder)
+        leave_scratch(folder);
+    fprintf(t.recording ? stderr : stdout, "%.1f s of processor\n%zu passed, %zu failed\n", t.seconds, t.passed,
+            t.failed);
+    return t.failed || t.passed == 0;
 }
 
 int main(int argc, char **argv) {
     extreme_table table;
-    tally t = {0};
     if (argc < 2) {
-        fputs("usage: extremes FOLDER [TIER | case ID...]\n", stderr);
+        fputs("usage: extremes FOLDER [TIER | case ID... | record | map]\n", stderr);
         return 2;
     }
-    char *path = alloc_format("%s/cases.tbl", argv[1]);
+    char *path = alloc_format("%s/cases.tbl", argv[1]), *outcomes = alloc_format("%s/outcomes.tsv", argv[1]);
     int status = table_read(path, &table);
-    free(path);
-    if (status == 0 && argc > 2 && strcmp(argv[2], "map") == 0) {
-        write_map(&table);
-        table_free(&table);
-        return 0;
-    }
-    char *folder = status ? NULL : enter_scratch();
-    for (size_t i = 0; folder && i < table.n; i++)
-        if (is_wanted(&table.list[i], argc, argv))
-            run_case(&table.list[i], &t);
-    if (folder)
-        leave_scratch(folder);
+    outcome_table *recorded = outcome_read(outcomes);
+    if (status)
+        puts("0 passed, 1 failed");
+    else if (is_asked(argc, argv, "map"))
+        status = outcome_write_page(recorded, &table) > 0;
+    else
+        status = run_cases(&table, recorded, argc, argv);
+    outcome_free(recorded);
     table_free(&table);
-    printf("%.1f s of processor\n%zu passed, %zu failed\n", t.seconds, t.passed, t.failed + (status != 0));
-    return status || t.failed || t.passed == 0;
+    free(path);
+    free(outcomes);
+    return status != 0;
 }

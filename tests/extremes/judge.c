@@ -196,13 +196,25 @@ static bool judge_refused(trial *t, const due *d, archive *before) {
     for (int i = 0; i < d->nclauses; i++)
         if (!strstr(t->host.errors, d->clause[i]))
             return fail(t, "the error lacks '%s': %s", d->clause[i], t->host.errors);
-    snprintf(t->v.words, sizeof t->v.words, "%.*s", (int)strcspn(t->host.errors, "\n"), t->host.errors);
+    static const char mark[] = "error: ";
+    const char *words = strstr(t->host.errors, mark);
+    words = words ? words + strlen(mark) : t->host.errors;
+    snprintf(t->v.words, sizeof t->v.words, "%.*s", (int)strcspn(words, "\n"), words);
     uint64_t cycles = interp_scene(t->in)->step;
     archive *now = state_of(t->in);
     bool good = (cycles > 0 || archive_share(now, before) || fail(t, "the scene has changed")) &&
                 is_whole(t, now, cycles) && restarts(t, now) && goes_on(t);
     archive_free(now);
     return good;
+}
+
+/* What the line judged took. */
+static void note_cost(trial *t, const scene_tally *before) {
+    const scene_tally *now = &interp_scene(t->in)->tally;
+    t->v.steps = now->steps - before->steps;
+    t->v.rejected = now->rejected - before->rejected;
+    t->v.evaluations = now->evaluations - before->evaluations;
+    t->v.least_step = now->least_step;
 }
 
 static void run(trial *t) {
@@ -212,8 +224,11 @@ static void run(trial *t) {
     const due *d = &t->e->due[t->preset];
     t->energy = energy_of(t->in);
     archive *before = state_of(t->in);
+    interp_scene(t->in)->tally.least_step = INFINITY;
+    const scene_tally tally = interp_scene(t->in)->tally;
     t->v.refused = interp_run_line(t->in, t->e->lines[t->e->nlines - 1]);
     t->v.good = 1;
+    note_cost(t, &tally);
     if (t->v.refused != d->refused)
         fail(t, "ended with %d, not %d: %.*s", t->v.refused, d->refused, (int)strcspn(t->host.errors, "\n"),
              t->host.errors);
