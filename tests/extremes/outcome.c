@@ -34,7 +34,7 @@ outcome_table *outcome_read(const char *path) {
     outcome_table *t = alloc_zeroed(1, sizeof *t);
     char *line = NULL;
     size_t room = 0;
-    for (ssize_t n; (n = getline(&line, &room, f)) >= 0;) {
+    while (getline(&line, &room, f) >= 0) {
         line[strcspn(line, "\n")] = '\0';
         if (*line == '#' || !*line)
             continue;
