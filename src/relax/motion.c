@@ -163,9 +163,12 @@ int motion_fail_damped(motion *mo, size_t particle, diag *d) {
     return diag_help(d, "integrators verlet and euler, of accuracy draft to balanced, bear any damping");
 }
 
-/* Without squares, which overflow. */
-static double largest_of(const double *a) {
-    return fmax(fmax(fabs(a[0]), fabs(a[1])), fabs(a[2]));
+/* Of a particle's numbers the largest; without squares, which overflow. */
+static double largest_of(const motion *mo, const double *values, size_t particle) {
+    double most = 0;
+    for (int k = 0; k < mo->dimensions; k++)
+        most = fmax(most, fabs(values[(size_t)mo->dimensions * particle + (size_t)k]));
+    return most;
 }
 
 /* What is wrong before any force acts: a place where numbers are too coarse for a cell's size, or a speed that no step
@@ -174,7 +177,7 @@ static int fail_state(motion *mo, double least, diag *d) {
     static const double coarse = 1e-3; /* radii between one number and the next */
     size_t far = motion_worst(mo, mo->x), fast = motion_worst(mo, mo->v);
     const double *radius = mechanics_radius(mo->m);
-    double distance = largest_of(mo->x + 3 * far), speed = largest_of(mo->v + 3 * fast);
+    double distance = largest_of(mo, mo->x, far), speed = largest_of(mo, mo->v, fast);
     if (!(distance * DBL_EPSILON <= coarse * radius[far])) {
         diag_fail(d, SARCINA_NUMERICAL,
                   "cell %llu is %.3g m from the origin, where numbers are too coarse for its size",
