@@ -28,6 +28,7 @@ typedef struct body {
     uint16_t segment;  /* of its cell, from 0 */
     uint8_t owned;     /* particles it owns, from first on */
     bool chained;      /* a segment of a flexible cell */
+    float leeway;      /* its ends may be so far from where they were when the neighbour list was built, um */
     double radius;     /* um */
     double rest;       /* rest length between its ends, um; 0 for a coccus */
     double internal_k; /* of a rod's spring, pg/s2; 0: none, or a chain's, which has its own */

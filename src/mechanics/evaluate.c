@@ -18,10 +18,9 @@ int state_threads(const mechanics *m) {
     return (size_t)m->threads < useful ? m->threads : (int)useful;
 }
 
-/* Capsules of slots begin ... end - 1 at x; whether a particle of theirs has left its half of the skin (or is not a
- * number), where they are listed. */
+/* Capsules of slots begin ... end - 1 at x; whether a particle of theirs has left its leeway (or is not a number),
+ * where they are listed. */
 DIMENSIONS_INLINE bool set_range(mechanics *m, const double *x, size_t begin, size_t end, bool listed, int dimensions) {
-    const double limit = 0.25 * m->skin * m->skin;
     const body *bodies = m->bodies;
     const size_t width = (size_t)dimensions;
     const double *then = m->built_at + 2 * width * begin;
@@ -33,6 +32,7 @@ DIMENSIONS_INLINE bool set_range(mechanics *m, const double *x, size_t begin, si
         capsule_set(capsules, slot, dimensions, first, last, b->radius, b->rest);
         if (!listed)
             continue;
+        const double limit = (double)b->leeway * (double)b->leeway;
         if (!(dimensions_apart(first, then, dimensions) <= limit &&
               dimensions_apart(last, then + width, dimensions) <= limit))
             left = true;
@@ -75,14 +75,33 @@ static void sort_bodies(mechanics *m, const double *x) {
     set_capsules(m, x);
 }
 
+/* How far bodies may move before the next list: half the skin, and the few that moved most since the last one thrice as
+ * far as they did: at most four skins, for a state further off will not come again. Else a few fast ones would have all
+ * rows built anew, and a method whose trial stages throw some out of the skin and call them back twice a step. */
+static void give_leeway(mechanics *m, const double *x) {
+    const double usual = 0.5 * m->skin, most = 4 * m->skin;
+    const int dimensions = state_dimensions(m);
+    const size_t width = (size_t)dimensions;
+    for (size_t slot = 0; slot < m->nbodies; slot++) {
+        body *b = &m->bodies[slot];
+        double wanted = 0;
+        if (m->listed) {
+            const double *first = x + width * b->first, *then = m->built_at + 2 * width * slot;
+            wanted = 3 * sqrt(fmax(dimensions_apart(first, then, dimensions),
+                                   dimensions_apart(first + width * (b->count - 1), then + width, dimensions)));
+        }
+        b->leeway = (float)(wanted > usual && wanted <= most ? wanted : usual);
+    }
+}
+
 static void build(mechanics *m, const double *x) {
     double begin = omp_get_wtime();
     m->neighbor.method = m->settings.method;
-    m->neighbor.skin = m->skin;
     m->neighbor.chained = m->nchains > 0;
     m->neighbor.spheres = m->cocci;
     m->neighbor.flat = m->flat;
     m->neighbor.margin = m->margin;
+    give_leeway(m, x);
     sort_bodies(m, x);
     neighbor_build(&m->neighbor, m->bodies, m->capsules, m->reach, state_threads(m), m->kernel);
     const size_t width = (size_t)state_dimensions(m);

@@ -60,11 +60,11 @@ void grid_sort(grid *g, const void *capsules, bool flat, size_t n) {
     qsort(g->places, n, sizeof *g->places, compare_places);
 }
 
-static grid_box box_of(const capsule *c, double reach, double skin) {
+static grid_box box_of(const capsule *c, double reach, double beyond) {
     grid_box box;
     for (int k = 0; k < 3; k++) {
         box.centre[k] = c->x[k] + 0.5 * c->d[k];
-        box.half[k] = 0.5 * fabs(c->d[k]) + reach * c->radius + 0.5 * skin;
+        box.half[k] = 0.5 * fabs(c->d[k]) + reach * c->radius + beyond;
     }
     return box;
 }
@@ -80,7 +80,7 @@ static void note_size(grid *g, int32_t level, const grid_box *box) {
         most[k] = box->half[k] > most[k] ? box->half[k] : most[k];
 }
 
-void grid_build(grid *g, const void *capsules, double reach, double skin) {
+void grid_build(grid *g, const body *bodies, const void *capsules, double reach, double beyond) {
     g->boxes = alloc_grow(g->boxes, &g->boxes_capacity, g->n, sizeof *g->boxes);
     g->rows = alloc_grow(g->rows, &g->rows_capacity, g->n, sizeof *g->rows);
     g->nrows = 0;
@@ -88,7 +88,7 @@ void grid_build(grid *g, const void *capsules, double reach, double skin) {
     for (uint32_t i = 0; i < g->n; i++) {
         const grid_place *p = &g->places[i];
         capsule room;
-        g->boxes[i] = box_of(capsule_get(capsules, i, g->flat, &room), reach, skin);
+        g->boxes[i] = box_of(capsule_get(capsules, i, g->flat, &room), reach, 0.5 * beyond + (double)bodies[i].leeway);
         note_size(g, p->level, &g->boxes[i]);
         grid_row *last = g->nrows ? &g->rows[g->nrows - 1] : NULL;
         if (!last || compare_bins(last->level, last->z, last->y, p->level, p->z, p->y) != 0)

@@ -46,8 +46,9 @@ typedef struct grid {
  * from build to build. */
 void grid_sort(grid *g, const void *capsules, bool flat, size_t n);
 
-/* Boxes and rows over the same capsules, now in the grid's order, for pairs nearer than reach (r_A + r_B) + skin. */
-void grid_build(grid *g, const void *capsules, double reach, double skin);
+/* Boxes and rows over the same capsules and their bodies, now in the grid's order, for pairs nearer than
+ * reach (r_A + r_B) + beyond + the leeways of both. */
+void grid_build(grid *g, const body *bodies, const void *capsules, double reach, double beyond);
 void grid_free(grid *g);
 
 /* Slots above this one whose boxes meet its own; found is grown as needed. Returns how many. */

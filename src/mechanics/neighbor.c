@@ -68,12 +68,13 @@ size_t neighbor_rows(const neighbor *list, const body *bodies, size_t group, siz
 /* What one thread gathers: for a stretch of slots, the partners above each that are near enough. */
 typedef struct gatherer {
     const grid *g;
-    const body *bodies; /* NULL: none are joined */
+    const body *bodies;
+    bool chained; /* some of them are joined */
     const void *capsules;
     const contact_kernel *kernel;
     bool spheres, flat;
-    contact_law_values law; /* the published one: distances between axes */
-    double skin;
+    contact_law_values law;      /* the published one: distances between axes */
+    double beyond;               /* um */
     uint32_t *found;             /* slots whose boxes meet */
     uint32_t *owners, *partners; /* pairs, by owner */
     size_t found_capacity, owners_capacity, partners_capacity, count;
@@ -89,9 +90,11 @@ static void filter(gatherer *w) {
     w->owners = alloc_grow(w->owners, &w->owners_capacity, w->count + w->nbatch, sizeof *w->owners);
     w->partners = alloc_grow(w->partners, &w->partners_capacity, w->count + w->nbatch, sizeof *w->partners);
     for (size_t i = 0; i < w->nbatch; i++) {
-        double limit = w->law.reach * b->radii[i] + w->skin;
-        w->owners[w->count] = w->batch_owner[i];
-        w->partners[w->count] = w->batch_partner[i];
+        uint32_t own = w->batch_owner[i], other = w->batch_partner[i];
+        double leeway = (double)w->bodies[own].leeway + (double)w->bodies[other].leeway;
+        double limit = w->law.reach * b->radii[i] + w->beyond + leeway;
+        w->owners[w->count] = own;
+        w->partners[w->count] = other;
         w->count += b->square[i] <= limit * limit;
     }
     w->nbatch = 0;
@@ -121,7 +124,7 @@ static void gather(gatherer *w, size_t begin, size_t end) {
     for (size_t slot = begin; slot < end; slot++) {
         size_t nfound = grid_search(w->g, slot, &w->found, &w->found_capacity);
         for (size_t i = 0; i < nfound; i++)
-            if (!SARCINA_FLEXIBLE || !w->bodies ||
+            if (!SARCINA_FLEXIBLE || !w->chained ||
                 !body_is_joined(&w->bodies[slot], &w->bodies[w->found[i]], w->law.reach))
                 load_candidate(w, (uint32_t)slot, w->found[i]);
     }
@@ -294,23 +297,24 @@ void neighbor_build(neighbor *list, const body *bodies, const void *capsules, do
         return;
     }
     bool all = list->method == NEIGHBOR_PAIRS;
-    const double beyond = list->margin + list->skin + slack;
+    const double beyond = list->margin + slack;
     threads = all ? 1 : threads;
     if (!all)
-        grid_build(&list->grid, capsules, reach, beyond);
+        grid_build(&list->grid, bodies, capsules, reach, beyond);
     gatherer *parts = alloc_aligned((size_t)threads, sizeof *parts, _Alignof(gatherer));
     memset(parts, 0, (size_t)threads * sizeof *parts);
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
     for (int p = 0; p < threads; p++) {
         gatherer *w = &parts[p];
         w->g = &list->grid;
-        w->bodies = list->chained ? bodies : NULL;
+        w->bodies = bodies;
+        w->chained = list->chained;
         w->capsules = capsules;
         w->kernel = kernel;
         w->spheres = list->spheres;
         w->flat = list->flat;
         w->law = (contact_law_values){1, reach, 0};
-        w->skin = beyond;
+        w->beyond = beyond;
         if (all)
             gather_all(w, list->n);
         else

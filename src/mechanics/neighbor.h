@@ -21,7 +21,6 @@ typedef struct neighbor_row {
 
 typedef struct neighbor {
     neighbor_method method;
-    double skin;   /* um */
     double margin; /* rows hold pairs this much further apart, um */
     bool chained;  /* some bodies are segments of chains: those that are joined (body_is_joined) are no pair */
     bool spheres;  /* no body has an axis */
@@ -45,8 +44,8 @@ void neighbor_free(neighbor *list);
 /* Puts n bodies into an order in which those near in space are near in memory: order (n) gets their indices. */
 void neighbor_sort(neighbor *list, const void *capsules, size_t n, uint32_t *order);
 
-/* Builds the rows for all pairs whose segments are nearer than reach (r_A + r_B) + margin + skin. The bodies and
- * capsules (n) stand in the order that the last neighbor_sort gave. */
+/* Builds the rows for all pairs whose segments are nearer than reach (r_A + r_B) + margin + the leeways of both. The
+ * bodies and capsules (n) stand in the order that the last neighbor_sort gave. */
 void neighbor_build(neighbor *list, const body *bodies, const void *capsules, double reach, int threads,
                     const contact_kernel *kernel);
 
