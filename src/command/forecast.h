@@ -33,6 +33,7 @@ typedef struct forecast_run {
     double times, cycles; /* how often it is run, of so many cycles */
     double grow, relax;   /* s; relax: infinite where it ends by force alone */
     double force;         /* it may rest before `relax` is over, 1e-21 N; 0: no */
+    relax_settings how;   /* by the integrator of then */
     expr *until;          /* owned; NULL: none */
     double ends;          /* cycles after which it held in the rehearsal; infinite: not seen */
     double ended[FORECAST_SPECIES], mass[FORECAST_SPECIES]; /* cells then, and their mass, pg */

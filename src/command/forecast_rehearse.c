@@ -5,6 +5,7 @@
 #include "command/forecast.h"
 
 #include "biology/division.h"
+#include "relax/integrator.h"
 #include "base/alloc.h"
 #include "output/image.h"
 #include "relax/integrator.h"
@@ -111,6 +112,18 @@ static bool is_due(const rehearsal *r) {
     return r->s->colony->cell.count && (r->spent < faithful * budget || mass_of(r->s) > growth * r->mass);
 }
 
+/* So long by the run's integrator, whatever the script has chosen since; a minimiser goes all the way to rest. */
+static int relax_piece(scene *s, const forecast_run *run, double time, relax_result *result, diag *d) {
+    const relax_settings now = s->relax;
+    bool minimises = integrator_styles[run->how.integrator]->caps & INTEGRATOR_MINIMISES;
+    s->relax = run->how;
+    int status = scene_relax(s, minimises ? (double)INFINITY : time, run->force, result, d);
+    s->relax = now;
+    if (minimises && !status)
+        result->stop = RELAX_FORCE;
+    return status;
+}
+
 /* A relaxation, or as much of it as there is time for. *whole: all of it. */
 static int relax(rehearsal *r, const forecast_run *run, bool *whole, diag *d) {
     enum { PIECES = 20, LARGE = 300 };
@@ -122,7 +135,7 @@ static int relax(rehearsal *r, const forecast_run *run, bool *whole, diag *d) {
     relax_result result = {0};
     int status = SARCINA_OK;
     while (done < time * (1 - 1e-9) && took + r->spent < budget && !status && result.stop != RELAX_FORCE) {
-        status = scene_relax(s, fmin(piece, time - done), run->force, &result, d);
+        status = relax_piece(s, run, fmin(piece, time - done), &result, d);
         done += piece;
         took = forecast_clock() - begin;
     }

@@ -5,12 +5,14 @@
 #include "command/run_report.h"
 
 #include "base/table.h"
+#include "relax/integrator.h"
 
 #include <math.h>
 
 /* In a check: one cycle of that alone. */
 static int forecast_one(interp *in, double grow, double relax, double force) {
-    forecast_note_run(in, &(forecast_run){.cycles = 1, .grow = grow, .relax = relax, .force = force});
+    const relax_settings how = interp_scene(in)->relax;
+    forecast_note_run(in, &(forecast_run){.cycles = 1, .grow = grow, .relax = relax, .force = force, .how = how});
     return SARCINA_OK;
 }
 
@@ -22,6 +24,8 @@ static int run_grow(interp *in, const args *a, diag *d) {
 
 static int run_relax(interp *in, const args *a, diag *d) {
     relax_result r = {0};
+    if (relax_check(&interp_scene(in)->relax, args_number(a, "T"), 0, d))
+        return SARCINA_ERROR;
     if (interp_checking(in))
         return forecast_one(in, 0, args_number(a, "T"), 0);
     if (interp_skips_runs(in))
@@ -34,10 +38,25 @@ static int run_relax(interp *in, const args *a, diag *d) {
     return status;
 }
 
+/* How it ended; a minimiser's steps take no time. */
+static void tell_end(interp *in, const relax_result *r) {
+    unsigned long long steps = r->steps, evaluations = r->evaluations, products = r->products;
+    double force = dim_from_engine(r->fmax, DIM_FORCE);
+    if (integrator_styles[interp_scene(in)->relax.integrator]->caps & INTEGRATOR_MINIMISES)
+        interp_print(
+            in, "minimised in %llu steps (%llu evaluations, %llu products): stopped by %s, largest net force %.3g N",
+            steps, evaluations, products, r->stop == RELAX_FORCE ? "force" : "no further descent", force);
+    else
+        interp_print(in, "relaxed for %.6g s in %llu steps (%llu evaluations): stopped by %s, largest net force %.3g N",
+                     r->time, steps, evaluations, r->stop == RELAX_FORCE ? "force" : "time", force);
+}
+
 /* Stops when the forces are small, or after `within`; says which. */
 static int run_relax_to(interp *in, const args *a, diag *d) {
     relax_result r = {0};
     double within = args_given(a, "within") ? args_number(a, "within") : (double)INFINITY;
+    if (relax_check(&interp_scene(in)->relax, within, args_number(a, "F"), d))
+        return SARCINA_ERROR;
     if (interp_checking(in))
         return forecast_one(in, 0, within, args_number(a, "F"));
     if (interp_skips_runs(in))
@@ -48,9 +67,9 @@ static int run_relax_to(interp *in, const args *a, diag *d) {
     run_report_relaxation(in, &r);
     if (r.stop == RELAX_INTERRUPTED)
         return diag_fail(d, SARCINA_INTERRUPTED, "interrupted after %g s of relaxation", r.time);
-    interp_print(in, "relaxed for %.6g s in %llu steps (%llu evaluations): stopped by %s, largest net force %.3g N",
-                 r.time, (unsigned long long)r.steps, (unsigned long long)r.evaluations,
-                 r.stop == RELAX_FORCE ? "force" : "time", dim_from_engine(r.fmax, DIM_FORCE));
+    tell_end(in, &r);
+    if (r.stop == RELAX_STALLED)
+        run_report_stalled(in, 1);
     return SARCINA_OK;
 }
 
@@ -70,8 +89,11 @@ static const command_form forms[] = {
      "held motion back or refused a step.",
      "relax 0.1s", COMMAND_SHADOW, run_relax, NULL, 0},
     {"relax to F:force(0,)", relax_to_params, TABLE_COUNT(relax_to_params),
-     "Moves the cells until their forces are small", "Prints why it stopped.", "relax to 1e-15N within 2s",
-     COMMAND_SHADOW, run_relax_to, NULL, 0},
+     "Moves the cells until their forces are small",
+     "Prints why it stopped. 'integrator newton' goes straight to a rest near by, which need not be the one that "
+     "motion "
+     "leads to.",
+     "relax to 1e-15N within 2s\nintegrator newton\nrelax to 1e-19N", COMMAND_SHADOW, run_relax_to, NULL, 0},
 };
 
 void command_grow(command_table *t) {

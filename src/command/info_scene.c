@@ -175,6 +175,8 @@ static void show_relaxation(interp *in, const scene *s, info_put put) {
         add(&l, ", accuracy %s", accuracy_presets[s->accuracy].name);
     if (r->step > 0)
         add(&l, ", steps of %gs", r->step);
+    else if (style->caps & INTEGRATOR_MINIMISES)
+        add(&l, ", to rest, by steps that take no time");
     else if (style->caps & INTEGRATOR_ADAPTIVE)
         add(&l, ", steps by their error: %gm and %gm/s", 1e-6 * tolerance, 1e-6 * tolerance);
     else
@@ -187,9 +189,12 @@ static void show_relaxation(interp *in, const scene *s, info_put put) {
         add(&l, ", begun anew every %gs", r->segment);
     put(in, "relaxation  %s%s", style->name, l.text);
     const scene_tally *t = &s->tally;
-    uint64_t relaxations = t->by_time + t->by_force;
+    uint64_t relaxations = t->by_time + t->by_force + t->stalled;
     if (t->steps == 0)
         put(in, "steps       not measured yet");
+    else if (!(t->largest_step > 0))
+        put(in, "steps       take no time, %.4g force evaluations a relaxation",
+            relaxations ? (double)t->evaluations / (double)relaxations : (double)t->evaluations);
     else
         put(in, "steps       %.3gs to %.3gs, %.4g force evaluations a relaxation", t->least_step, t->largest_step,
             relaxations ? (double)t->evaluations / (double)relaxations : (double)t->evaluations);

@@ -181,10 +181,12 @@ static int run_cycles(interp *in, const plan *p, diag *d) {
         return status;
     run_report_begin(in, &s->report);
     double before = scene_clock();
-    uint64_t first = sc->step, arrived = sc->attachments.arrived, crowded = sc->attachments.crowded;
+    uint64_t first = sc->step, stalled = sc->tally.stalled, arrived = sc->attachments.arrived,
+             crowded = sc->attachments.crowded;
     status = run_all_cycles(in, p, d);
     run_report_end(in, &s->report, scene_clock() - before, sc->step - first);
     tell_attached(in, arrived, crowded);
+    run_report_stalled(in, sc->tally.stalled - stalled);
     return status;
 }
 
@@ -199,7 +201,8 @@ static void forecast_cycles(interp *in, const plan *p) {
                       .relax = p->relax,
                       .force = p->force,
                       .until = p->until,
-                      .upto = args_given(p->a, "upto")};
+                      .upto = args_given(p->a, "upto"),
+                      .how = interp_scene(in)->relax};
     forecast_note_run(in, &r);
 }
 
@@ -211,6 +214,8 @@ static int run_run(interp *in, const args *a, diag *d) {
     p.a = a;
     if (!status)
         status = count_cycles(in, a, &p, d);
+    if (!status && p.relax > 0)
+        status = relax_check(&interp_scene(in)->relax, p.relax, p.force, d);
     p.cycles = interp_skips_runs(in) ? 0 : p.cycles;
     if (!status && !interp_checking(in) && p.cycles > 0)
         status = scene_prepare(interp_scene(in), d);

@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/table.h"
 #include "command/info_scene.h"
+#include "mechanics/force_style.h"
 
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
@@ -119,13 +120,16 @@ static void put_neighbors(interp *in, const run_report *r, size_t pairs) {
 static void put_relaxations(interp *in, const run_report *r, double fmax) {
     const scene_tally *now = &interp_scene(in)->tally, *from = &r->tally;
     uint64_t by_time = now->by_time - from->by_time, by_force = now->by_force - from->by_force;
-    if (by_time + by_force == 0)
+    uint64_t stalled = now->stalled - from->stalled;
+    if (by_time + by_force + stalled == 0)
         return;
     interp_log(in, "\nRelaxation stats:\n  Stopping criterion = %s: time %" PRIu64 ", force %" PRIu64,
-               by_force == 0  ? "time"
-               : by_time == 0 ? "force"
-                              : "both",
+               by_force + stalled == 0 ? "time"
+               : by_time == 0          ? "force"
+                                       : "both",
                by_time, by_force);
+    if (stalled)
+        interp_log(in, "  No further descent = %" PRIu64, stalled);
     interp_log(in, "  Steps, rejected, force evaluations = %" PRIu64 " %" PRIu64 " %" PRIu64, now->steps - from->steps,
                now->rejected - from->rejected, now->evaluations - from->evaluations);
     if (now->largest_step > 0)
@@ -213,12 +217,27 @@ void run_report_end_loop(interp *in, run_report *r) {
 }
 
 void run_report_relaxation(interp *in, const relax_result *result) {
-    static const char *const why[] = {
-        [RELAX_TIME] = "time", [RELAX_FORCE] = "force", [RELAX_INTERRUPTED] = "interrupt"};
+    static const char *const why[] = {[RELAX_TIME] = "time",
+                                      [RELAX_FORCE] = "force",
+                                      [RELAX_INTERRUPTED] = "interrupt",
+                                      [RELAX_STALLED] = "no further descent"};
     if (!interp_start_log(in))
         return;
     interp_log(in, "Relaxation stats:\n  Stopping criterion = %s\n  Time = %.6g s", why[result->stop], result->time);
     interp_log(in, "  Steps, rejected, force evaluations = %" PRIu64 " %" PRIu64 " %" PRIu64, result->steps,
                result->rejected, result->evaluations);
     put_caps(in, result->caps, NULL);
+}
+
+void run_report_stalled(interp *in, uint64_t n) {
+    const scene_tally *t = &interp_scene(in)->tally;
+    if (n == 0)
+        return;
+    interp_warn(in,
+                "%" PRIu64
+                " relaxation%s ended before all was at rest; the last with a net force of %.3g N on cell %" PRIu64
+                ", most of it by %s: a pull that nothing stops, a law that jumps (contact closest), or less than "
+                "rounding leaves",
+                n, n == 1 ? "" : "s", dim_from_engine(t->stalled_force, DIM_FORCE), t->stalled_cell,
+                t->stalled_term < FORCE_COUNT ? force_styles[t->stalled_term]->name : "no term");
 }

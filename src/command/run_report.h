@@ -32,6 +32,9 @@ void run_report_end(interp *in, run_report *r, double seconds, uint64_t cycles);
 /* The outermost loop has ended. */
 void run_report_end_loop(interp *in, run_report *r);
 
+/* Warns of so many minimisations whose force fell no further; 0: of none. */
+void run_report_stalled(interp *in, uint64_t n);
+
 /* After a `relax` that is no part of a run: what it took, into the log. */
 void run_report_relaxation(interp *in, const relax_result *result);
 

@@ -150,7 +150,7 @@ void command_settings(command_table *t) {
                    "out: help methods.",
         .example = "integrator verlet step 1ms\nintegrator verlet inertia 0.1\nintegrator "
                    "euler\nintegrator rk4\nintegrator rkf45\nintegrator "
-                   "rk8pd\nintegrator bs32\nintegrator dopri5 tol 1e-3",
+                   "rk8pd\nintegrator bs32\nintegrator dopri5 tol 1e-3\nintegrator newton\nrelax to 1e-19N",
         .flags = COMMAND_DECLARES,
         .run = run_integrator};
     const char *names[INTEGRATOR_COUNT];

@@ -85,6 +85,9 @@ int tradeoff_method_read(interp *in, const char *text, tradeoff_method *out, dia
         integrator = is_word(first, integrator_styles[i]->name) ? i : integrator;
     if (integrator < 0)
         return refuse(text, first, d);
+    if (integrator_styles[integrator]->caps & INTEGRATOR_MINIMISES)
+        return diag_error(d, "integrator %s follows no time: there is no relaxation to compare",
+                          integrator_styles[integrator]->name);
     out->how.integrator = (integrator_kind)integrator;
     int status = SARCINA_OK;
     while (!status && rest[strspn(rest, " \t")])

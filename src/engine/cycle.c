@@ -80,12 +80,18 @@ static void note_relaxation(scene *s, const mechanics_stats *from, const relax_r
         s->timing.term[i] += now.term_seconds[i] - from->term_seconds[i];
     t->by_time += r->stop == RELAX_TIME;
     t->by_force += r->stop == RELAX_FORCE;
+    if (r->stop == RELAX_STALLED) {
+        t->stalled++;
+        t->stalled_cell = r->cell;
+        t->stalled_term = r->term;
+        t->stalled_force = r->fmax;
+    }
     t->steps += r->steps;
     t->rejected += r->rejected;
     t->evaluations += now.evaluations - from->evaluations;
     t->cell_evaluations += now.cell_evaluations - from->cell_evaluations;
     t->builds += now.builds - from->builds;
-    if (r->steps == 0)
+    if (!(r->largest_step > 0)) /* none, or those of a minimiser, which take no time */
         return;
     t->least_step = fmin(t->least_step, r->least_step);
     t->largest_step = fmax(t->largest_step, r->largest_step);

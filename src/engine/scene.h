@@ -58,7 +58,10 @@ typedef struct scene_timing {
 
 /* What the relaxations of a scene took. */
 typedef struct scene_tally {
-    uint64_t by_time, by_force; /* relaxations, by why they ended */
+    uint64_t by_time, by_force, stalled; /* relaxations, by why they ended */
+    uint64_t stalled_cell;               /* of the last that stalled: whose force was largest */
+    force_kind stalled_term;             /* the term whose part in it was largest */
+    double stalled_force;                /* and that force, 1e-21 N */
     uint64_t steps, rejected, evaluations;
     uint64_t cell_evaluations;       /* evaluations, each times the cells it was of */
     uint64_t builds;                 /* of the neighbour list */

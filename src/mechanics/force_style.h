@@ -46,9 +46,11 @@ typedef struct stiff_spring {
     double g[4][3];
     double k;       /* pg/s2; of an angle 1e-27 J, and g in 1/um */
     uint32_t count; /* particles it touches */
+    double pull;    /* of one between two points (g = u, -u) that is stretched: tension over length, pg/s2; else 0 */
 } stiff_spring;
 
 typedef struct stiff_list {
+    bool curved; /* terms add what is positive in the rest of their second derivatives, as springs of its own */
     size_t count, capacity;
     stiff_spring *list;
 } stiff_list;
@@ -62,6 +64,11 @@ static inline void force_spring_end(stiff_spring *s, uint32_t particle, double w
     for (int k = 0; k < 3; k++)
         s->g[s->count][k] = weight * direction[k];
     s->count++;
+}
+
+/* stiff_spring.pull of a spring of this length. */
+static inline double force_spring_pull(double k, double rest, double length) {
+    return length > rest ? k * (1 - rest / length) : 0;
 }
 
 /* What prepare may look at. */

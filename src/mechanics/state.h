@@ -90,6 +90,10 @@ force_frame state_frame(const mechanics *m, const double *x, const double *v);
 /* Threads worth starting for this many bodies. */
 int state_threads(const mechanics *m);
 
+/* The springs of all active terms at x, with or without those within chains, in the order of ids; after
+ * state_refresh. */
+void state_springs(const mechanics *m, const double *x, bool chains, stiff_list *out);
+
 /* Sets the slots' inverse maps after bodies have been put in another order. */
 void state_index(mechanics *m);
 

@@ -14,18 +14,22 @@
 enum { ITERATIONS_FRESH = 60, ITERATIONS_AGAIN = 6 };
 static const double tolerance = 0.01;
 
-/* The springs of all active terms, weights divided by the root of the particle's mass; in the order of ids. */
-static void collect(mechanics *m, const double *x, bool chains) {
+void state_springs(const mechanics *m, const double *x, bool chains, stiff_list *out) {
     const force_frame at = state_frame(m, x, NULL);
-    m->stiff.count = 0;
+    out->count = 0;
     for (size_t rank = 0; rank < m->nbodies; rank++)
         for (int i = 0; i < FORCE_COUNT; i++)
             if (m->forces.term[i].on && force_styles[i]->stiffness)
-                force_styles[i]->stiffness(m->forces.term[i].p, &at, m->by_id[rank], &m->stiff);
+                force_styles[i]->stiffness(m->forces.term[i].p, &at, m->by_id[rank], out);
     for (size_t c = 0; chains && c < m->nchains; c++)
         for (int i = 0; i < FORCE_COUNT; i++)
             if (m->forces.term[i].on && force_styles[i]->stiffness_chain)
-                force_styles[i]->stiffness_chain(m->forces.term[i].p, &at, c, &m->stiff);
+                force_styles[i]->stiffness_chain(m->forces.term[i].p, &at, c, out);
+}
+
+/* The springs that act, weights divided by the root of the particle's mass. */
+static void collect(mechanics *m, const double *x, bool chains) {
+    state_springs(m, x, chains, &m->stiff);
     for (size_t i = 0; i < m->stiff.count; i++)
         for (uint32_t j = 0; j < m->stiff.list[i].count; j++) {
             double root = sqrt(m->mass[m->stiff.list[i].particle[j]]);

@@ -7,8 +7,9 @@
 #include "relax/motion.h"
 
 enum {
-    INTEGRATOR_ADAPTIVE = 1,     /* takes its step from an error estimate */
-    INTEGRATOR_EXACT_DAMPING = 2 /* damping is not in the force but solved exactly */
+    INTEGRATOR_ADAPTIVE = 1,      /* takes its step from an error estimate */
+    INTEGRATOR_EXACT_DAMPING = 2, /* damping is not in the force but solved exactly */
+    INTEGRATOR_MINIMISES = 4      /* goes to rest and follows no time: motion.time stays */
 };
 
 typedef struct integrator_style {
@@ -51,5 +52,6 @@ extern const integrator_style integrator_euler;
 extern const integrator_style integrator_rk4;
 extern const integrator_style integrator_rkf45;
 extern const integrator_style integrator_rk8pd;
+extern const integrator_style integrator_newton;
 
 #endif

@@ -200,3 +200,10 @@ int motion_fail_thrown(motion *mo, size_t particle, double least, diag *d) {
               (unsigned long long)c.cell, term_name(c.strongest), least * 1e6, mo->time);
     return diag_help(d, "cells that lie deep in each other, or a force without bound, cannot be relaxed");
 }
+
+int motion_fail_descent(motion *mo, size_t particle, diag *d) {
+    const mechanics_culprit c = mechanics_blame(mo->m, mo->x, particle);
+    diag_fail(d, SARCINA_NUMERICAL, "cell %llu: %s drives it too far in any step of the minimiser, after %llu of them",
+              (unsigned long long)c.cell, term_name(c.strongest), (unsigned long long)mo->steps);
+    return diag_help(d, "cells that lie deep in each other, or a force without bound, cannot be relaxed");
+}

@@ -18,6 +18,9 @@ typedef struct motion {
     double time;           /* s, from the beginning of the relaxation */
     const uint32_t *order; /* particle rows in the order of sums (n) */
     uint64_t steps, rejected, evaluations;
+    uint64_t products; /* of a minimiser's matrix with a vector */
+    double goal;       /* largest net force to reach, 1e-21 N; 0: none */
+    bool stuck;        /* a minimiser gets no further down */
     double least_step, largest_step;
     double least; /* a scene that needs steps below this throughout is refused, s */
     uint64_t caps[CAP_COUNT];
@@ -82,5 +85,8 @@ double motion_contact_step(const motion *mo);
 int motion_fail_stiff(motion *mo, size_t particle, double needed, diag *d);
 int motion_fail_damped(motion *mo, size_t particle, diag *d);
 int motion_fail_thrown(motion *mo, size_t particle, double least, diag *d);
+
+/* SARCINA_NUMERICAL: however short a minimiser's step, this particle is thrown too far. Names the cell and the term. */
+int motion_fail_descent(motion *mo, size_t particle, diag *d);
 
 #endif

@@ -17,6 +17,7 @@ typedef enum {
     INTEGRATOR_RK8PD,
     INTEGRATOR_EULER,
     INTEGRATOR_BS32,
+    INTEGRATOR_NEWTON,
     INTEGRATOR_COUNT
 } integrator_kind;
 
@@ -47,17 +48,24 @@ typedef struct relax_goal {
     uint64_t evaluations;                   /* stop once there have been so many; 0: no bound */
 } relax_goal;
 
-typedef enum { RELAX_TIME, RELAX_FORCE, RELAX_INTERRUPTED, RELAX_EVALUATIONS } relax_stop;
+/* RELAX_STALLED: of a minimiser, the largest force falls no further. */
+typedef enum { RELAX_TIME, RELAX_FORCE, RELAX_INTERRUPTED, RELAX_EVALUATIONS, RELAX_STALLED } relax_stop;
 
 typedef struct relax_result {
     relax_stop stop;
-    double time; /* relaxed, s */
-    double fmax; /* at the end, 1e-21 N; computed only when goal.force > 0 */
+    double time;     /* relaxed, s; of a minimiser 0 */
+    double fmax;     /* at the end, 1e-21 N; computed only when goal.force > 0 */
+    uint64_t cell;   /* RELAX_STALLED: whose force that is */
+    force_kind term; /* ... and the term whose force is largest there */
     uint64_t steps, rejected, evaluations;
-    double least_step, largest_step;
-    uint64_t caps[CAP_COUNT]; /* limits on motion that were met */
-    double remodel_seconds;   /* wall time of forming and breaking links; without that of neighbour lists */
+    uint64_t products;               /* of a minimiser's matrix with a vector */
+    double least_step, largest_step; /* of a minimiser 0 */
+    uint64_t caps[CAP_COUNT];        /* limits on motion that were met */
+    double remodel_seconds;          /* wall time of forming and breaking links; without that of neighbour lists */
 } relax_result;
+
+/* SARCINA_ERROR: a minimiser, which follows no time, has been given one, or no force to reach. */
+int relax_check(const relax_settings *how, double time, double force, diag *d);
 
 /* Relaxes m's colony (bound by mechanics_prepare), writing its x and v. On SARCINA_NUMERICAL the diag names the cell,
  * the term and the cause, and the colony is as at the last accepted step; a rejected step leaves x, v and the time as

@@ -121,9 +121,13 @@ bool topic_row_integrator(size_t i, page *name, page *text) {
         return false;
     const integrator_style *s = integrator_styles[i];
     page_put(name, "%s", s->name);
-    page_put(text, "%s; order %d, %s. Source: %s", s->summary, s->order,
-             s->caps & INTEGRATOR_ADAPTIVE ? "step by error control" : "step from the stiffness of the scene",
-             s->source);
+    if (s->caps & INTEGRATOR_MINIMISES)
+        page_put(text, "%s; step from the stiffness of the scene and from the descent. Source: %s", s->summary,
+                 s->source);
+    else
+        page_put(text, "%s; order %d, %s. Source: %s", s->summary, s->order,
+                 s->caps & INTEGRATOR_ADAPTIVE ? "step by error control" : "step from the stiffness of the scene",
+                 s->source);
     return true;
 }
 

@@ -5,6 +5,7 @@
 #include "relax/relax.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,7 +24,7 @@ char *outcome_row(const extreme *e, size_t preset, const verdict *v) {
     const char *name = accuracy_presets[preset].name, *what = what_came(v->refused);
     if (v->refused == 0)
         return alloc_format("%s\t%s\t%s\t%" PRIu64 "\t%" PRIu64 "\t%" PRIu64 "\t%.3g\t", e->id, name, what, v->steps,
-                            v->rejected, v->evaluations, v->steps ? v->least_step : 0);
+                            v->rejected, v->evaluations, v->steps && isfinite(v->least_step) ? v->least_step : 0);
     return alloc_format("%s\t%s\t%s\t-\t-\t-\t-\t%s", e->id, name, what, v->words);
 }
 
@@ -75,6 +76,8 @@ static char *describe(const char *row) {
     double us = 1e6 * strtod(least, NULL);
     if (!(us > 0))
         return alloc_copy("holds, nothing had to be moved");
+    if (us == 0) /* none, or those of a minimiser, which take no time */
+        return alloc_format("holds, %s evaluations in %s steps, %s refused", evaluations, steps, refused);
     return alloc_format("holds, %s evaluations in %s steps, %s refused, none below %.3g us", evaluations, steps,
                         refused, us);
 }

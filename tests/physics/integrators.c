@@ -55,6 +55,8 @@ static void test_order(void **state) {
     const relax_settings exact = {.integrator = INTEGRATOR_RK8PD, .step = duration / 400};
     assert_int_equal(run(&p, exact, duration, NULL), SARCINA_OK);
     for (int kind = 0; kind < INTEGRATOR_COUNT; kind++) {
+        if (integrator_styles[kind]->caps & INTEGRATOR_MINIMISES)
+            continue;
         int order = integrator_styles[kind]->order, steps = order >= 8 ? 6 : order >= 4 ? 24 : order >= 2 ? 64 : 512;
         double coarse = error_at(kind, steps, p.c->particle.x), fine = error_at(kind, 2 * steps, p.c->particle.x);
         double slope = log2(coarse / fine);
@@ -90,6 +92,12 @@ static void test_tolerance(void **state) {
     packing_free(&p);
 }
 
+/* One second; minimisers know none. */
+static const relax_goal *goal_of(int kind) {
+    static const relax_goal second = {.time = 1}, rest = {.time = INFINITY, .force = 1};
+    return integrator_styles[kind]->caps & INTEGRATOR_MINIMISES ? &rest : &second;
+}
+
 /* A step that can never be accepted: the state is to the bit as before, and the message names the cell. */
 static void test_failure_restores(void **state) {
     (void)state;
@@ -104,10 +112,11 @@ static void test_failure_restores(void **state) {
         diag d = {0};
         relax_result result;
         relax_settings how = {.integrator = (integrator_kind)kind, .most = 1e-3};
-        assert_int_equal(relax_run(m, &how, &(relax_goal){.time = 1}, &result, &d), SARCINA_NUMERICAL);
+        assert_int_equal(relax_run(m, &how, goal_of(kind), &result, &d), SARCINA_NUMERICAL);
         assert_memory_equal(p.c->particle.x, before, 6 * sizeof *before);
         assert_memory_equal(p.c->particle.v, before + 6, 6 * sizeof *before);
-        assert_true(result.time == 0 && result.steps == 0 && result.rejected > 3);
+        bool at_once = integrator_styles[kind]->caps & INTEGRATOR_MINIMISES; /* the force itself is beyond them */
+        assert_true(result.time == 0 && result.steps == 0 && (at_once || result.rejected > 3));
         if (!strstr(d.message, "cell 1: gravity"))
             fail_msg("%s: %s", integrator_styles[kind]->name, d.message);
         mechanics_free(m);

@@ -89,6 +89,12 @@ static void test_methods(void **state) {
           true);
     interp_free(show("integrator verlet step 1ms\n"));
     shows("relaxation  verlet, steps of 0.001s\n", true);
+    char script[600];
+    snprintf(script, sizeof script, "%sintegrator newton\nset all x x/2\nrelax to 1e-20N\n", balls);
+    interp_free(show(script));
+    shows("relaxation  newton, to rest, by steps that take no time\n", true);
+    shows("steps       take no time, ", true);
+    shows(" force evaluations a relaxation\n", true);
 }
 
 /* Sum of the numbers behind names in a line that begins with `head`. */

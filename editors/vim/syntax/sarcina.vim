@@ -31,10 +31,10 @@ syntax keyword sarcinaStyle INF all anchor auto balanced bend bio birth block bo
 syntax keyword sarcinaStyle closest coccus collision colony coolwarm count csv custom cylinder damping
 syntax keyword sarcinaStyle default dlvo dopri5 draft dynamic equal euler exponential fast first_time
 syntax keyword sarcinaStyle flexible front getenv gravity gray grid histogram image inferno internal iso
-syntax keyword sarcinaStyle left linear list magma mean midpoint mother movie nearer no none now off on
-syntax keyword sarcinaStyle one out paper plane planes plasma poisson povray profile r random reference
-syntax keyword sarcinaStyle regularised remodel right rk4 rk8pd rkf45 rod si single sphere stick
-syntax keyword sarcinaStyle stiffness string table top twist verlet viridis vtk xy xyz yes
+syntax keyword sarcinaStyle left linear list magma mean midpoint mother movie nearer newton no none now
+syntax keyword sarcinaStyle off on one out paper plane planes plasma poisson povray profile r random
+syntax keyword sarcinaStyle reference regularised remodel right rk4 rk8pd rkf45 rod si single sphere
+syntax keyword sarcinaStyle stick stiffness string table top twist verlet viridis vtk xy xyz yes
 syntax match sarcinaStyle /\<\%(link\)\>/
 
 syntax match sarcinaFunction /\<\%(abs\|acos\|asin\|atan\|atan2\|ceil\|ci95\|cos\|count\|defined\|descends\|exp\|floor\|fraction\|hypot\|is_file\|ln\|log10\|max\|mean\|median\|min\|normal\|poisson\|quantile\|random\|round\|sd\|sign\|sin\|sqrt\|sum\|tan\|ternary\)\ze(/

@@ -177,6 +177,75 @@ static void add_spring(const force_frame *at, size_t slot, uint32_t partner, con
     }
 }
 
+/* How a contact resists that its nearest points slide: with h = R' - sqrt G, E'' = k g g' - k h (sqrt G)'', and where
+ * s, t are free G'' has -G_xs G_ss^-1 G_sx in it, which makes rods that lie on each other stiff against being turned.
+ * One spring a free parameter, of constant k h / (2 sqrt G), orthogonalised (Cholesky). */
+typedef struct slide {
+    double d[2][3];             /* the axes of A and B, um; 0: a coccus */
+    double part[2][4][3];       /* half of d/dx of dG/ds, dG/dt, by particle: both of A, both of B */
+    double diagonal[2], across; /* half of the second derivatives of G by s, t */
+} slide;
+
+static slide find_slide(const capsule *a, const capsule *b, const contact_result *c, double w) {
+    slide v;
+    const double place[2] = {c->s, c->t};
+    for (int k = 0; k < 3; k++) {
+        v.d[0][k] = a->d[k];
+        v.d[1][k] = b->d[k];
+    }
+    for (int side = 0; side < 2; side++)
+        for (int end = 0; end < 4; end++) {
+            /* delta = (1 - s) A0 + s A1 - (1 - t) B0 - t B1 */
+            double share = end % 2 ? place[end / 2] : 1 - place[end / 2], weight = end / 2 == side ? share : -share;
+            double own = end / 2 != side ? 0 : end % 2 ? 1 : -1;
+            for (int k = 0; k < 3; k++)
+                v.part[side][end][k] = weight * v.d[side][k] + (side ? -own : own) * c->delta[k];
+        }
+    v.across = 0;
+    for (int side = 0; side < 2; side++) {
+        v.diagonal[side] = w;
+        for (int k = 0; k < 3; k++)
+            v.diagonal[side] += v.d[side][k] * v.d[side][k];
+    }
+    for (int k = 0; k < 3; k++)
+        v.across -= v.d[0][k] * v.d[1][k];
+    return v;
+}
+
+/* One spring of those: g = part / root of the pivot. */
+static void add_slide(const body *const pair[2], double part[4][3], double pivot, double k, stiff_list *out) {
+    stiff_spring *spring = force_spring_add(out);
+    spring->k = k;
+    for (uint32_t end = 0; end < 4; end++)
+        if (end % 2 == 0 || pair[end / 2]->count > 1)
+            force_spring_end(spring, pair[end / 2]->first + end % 2, 1 / sqrt(pivot), part[end]);
+}
+
+static void add_slides(const force_frame *at, contact_law_values law, size_t slot, uint32_t partner,
+                       const contact_result *c, stiff_list *out) {
+    const body *const pair[2] = {&at->bodies[slot], &at->bodies[partner]};
+    capsule room[2];
+    const capsule *a = capsule_get(at->capsules, slot, at->flat, &room[0]),
+                  *b = capsule_get(at->capsules, partner, at->flat, &room[1]);
+    double square = law.reach * (a->radius + b->radius), rests = a->rest * b->rest;
+    square *= square;
+    const double root = sqrt(c->g), k = law.k * contact_overlap(c) / root;
+    slide v = find_slide(a, b, c, law.epsilon * (rests < square ? rests : square));
+    const bool free_s = c->s > 0 && c->s<1, free_t = c->t> 0 && c->t < 1;
+    if (!(root > CONTACT_COINCIDENT))
+        return;
+    if (free_s)
+        add_slide(pair, v.part[0], v.diagonal[0], k, out);
+    double pivot = v.diagonal[1] - (free_s ? v.across * v.across / v.diagonal[0] : 0);
+    if (!free_t || !(pivot > CONTACT_PARALLEL * v.diagonal[1]))
+        return;
+    double rest[4][3];
+    for (int end = 0; end < 4; end++)
+        for (int i = 0; i < 3; i++)
+            rest[end][i] = v.part[1][end][i] - (free_s ? v.across / v.diagonal[0] * v.part[0][end][i] : 0);
+    add_slide(pair, rest, pivot, k, out);
+}
+
 static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
     contact_law_values law = law_of(p);
     neighbor_row row = neighbor_get(at->neighbor, at->bodies, slot);
@@ -184,6 +253,8 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
         contact_result c = contact_with(at, law, slot, row.upper[i]);
         if (c.g < c.reach)
             add_spring(at, slot, row.upper[i], &c, law.k, out);
+        if (c.g < c.reach && out->curved && !at->cocci)
+            add_slides(at, law, slot, row.upper[i], &c, out);
     }
 }
 

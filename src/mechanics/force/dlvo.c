@@ -83,7 +83,7 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
         if (d != held(p, d))
             continue;
         double k = p[DLVO_KAPPA] * p[DLVO_KAPPA] * repulsion(p, d) - 2 * p[DLVO_CVDW] / (d * d * d);
-        *force_spring_add(out) = (stiff_spring){{i}, {{0, 0, 1}}, fabs(k), 1};
+        *force_spring_add(out) = (stiff_spring){{i}, {{0, 0, 1}}, fabs(k), 1, 0};
     }
 }
 

@@ -60,9 +60,10 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
     stiff_spring *s = force_spring_add(out);
     const int dimensions = force_dimensions(at);
     const double *x = at->x + (size_t)dimensions * b->first;
-    double u[3];
-    spring_direction(x, x + dimensions, at, body_particle_key(b, b->first), body_particle_key(b, b->first + 1), u);
+    double u[3], length = spring_direction(x, x + dimensions, at, body_particle_key(b, b->first),
+                                           body_particle_key(b, b->first + 1), u);
     s->k = b->internal_k;
+    s->pull = force_spring_pull(s->k, b->rest, length);
     force_spring_end(s, b->first, 1, u);
     force_spring_end(s, b->first + 1, -1, u);
 }
@@ -100,10 +101,10 @@ static void stiffness_chain(const double *p, const force_frame *at, size_t index
     (void)p;
     const chain *c = &at->chains[index];
     for (uint32_t i = 0; c->internal_k > 0 && i + 1 < c->count; i++) {
-        double u[3];
-        stretch_of(at, c, i, u);
+        double u[3], stretch = stretch_of(at, c, i, u);
         stiff_spring *s = force_spring_add(out);
         s->k = c->internal_k;
+        s->pull = force_spring_pull(s->k, c->rest, c->rest + stretch);
         force_spring_end(s, c->first + i, 1, u);
         force_spring_end(s, c->first + i + 1, -1, u);
     }

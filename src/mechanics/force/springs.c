@@ -119,9 +119,10 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
             if (!is_owner(at, end, i))
                 continue;
             stiff_spring *s = force_spring_add(out);
-            double u[3];
-            reach_end(at, end, body_particle_key(b, i), i, u);
+            double u[3], length = reach_end(at, end, body_particle_key(b, i), i, u);
             s->k = index->springs->k[end->spring];
+            if (!index->springs->glides[end->spring])
+                s->pull = force_spring_pull(s->k, index->springs->rest[end->spring], length);
             force_spring_end(s, i, 1, u);
             if (end->other != SPRING_ANCHOR)
                 force_spring_end(s, end->other, -1, u);

@@ -32,7 +32,7 @@ static void stiffness(const double *p, const force_frame *at, size_t slot, stiff
     const body *b = &at->bodies[slot];
     for (uint32_t i = b->first; i < b->first + b->owned; i++)
         if (depth(p, at, b, i) > 0)
-            *force_spring_add(out) = (stiff_spring){{i}, {{0, 0, 1}}, p[SUBSTRATUM_K], 1};
+            *force_spring_add(out) = (stiff_spring){{i}, {{0, 0, 1}}, p[SUBSTRATUM_K], 1, 0};
 }
 
 static double contact_stiffness(const double *p) {
