@@ -75,19 +75,23 @@ static void exponential(size_t n, const double *x, double *y) {
         KERNEL_EXP(x + i, y + i);
 }
 
-static size_t fly(size_t n, const kernel_flight *q) {
-    const double *restrict kick = q->kick, *restrict decay = q->decay, *restrict flight = q->flight;
-    const double *restrict x0 = q->x0, *restrict v0 = q->v0, *restrict f = q->force;
-    double *restrict x = q->x, *restrict v = q->v;
-    const double weight = q->weight, near = q->near;
+/* Compilers believe `restrict` of parameters, and need it to compute several components at once. */
+static size_t fly_apart(size_t n, double weight, double near, const double *restrict kick, const double *restrict decay,
+                        const double *restrict flight, const double *restrict x0, const double *restrict v0,
+                        const double *restrict f, double *restrict x, double *restrict v) {
     size_t far = 0;
     for (size_t i = 0; i < n; i++) {
         double kicked = v0[i] + weight * kick[i] * f[i];
-        x[i] = x0[i] + flight[i] * kicked;
+        double moved = x0[i] + flight[i] * kicked;
+        x[i] = moved;
         v[i] = decay[i] * kicked;
-        far += fabs(x[i] - x0[i]) <= near ? 0 : 1;
+        far += fabs(moved - x0[i]) <= near ? 0 : 1;
     }
     return far;
+}
+
+static size_t fly(size_t n, const kernel_flight *q) {
+    return fly_apart(n, q->weight, q->near, q->kick, q->decay, q->flight, q->x0, q->v0, q->force, q->x, q->v);
 }
 
 static size_t kick(size_t n, double weight, const double *restrict by, const double *restrict before,
