@@ -4,9 +4,8 @@
  * to them, and a relaxation as many evaluations as the last ones did. */
 #include "command/forecast.h"
 
-#include "biology/division.h"
-#include "relax/integrator.h"
 #include "base/alloc.h"
+#include "biology/division.h"
 #include "output/image.h"
 #include "relax/integrator.h"
 

@@ -74,9 +74,9 @@ static char *describe(const char *row) {
     if (strcmp(what, what_came(0)) != 0)
         return alloc_format("%s, %s", what, words ? row + words : "");
     double us = 1e6 * strtod(least, NULL);
-    if (!(us > 0))
+    if (strtoull(steps, NULL, 10) == 0)
         return alloc_copy("holds, nothing had to be moved");
-    if (us == 0) /* none, or those of a minimiser, which take no time */
+    if (!(us > 0)) /* a minimiser's take no time */
         return alloc_format("holds, %s evaluations in %s steps, %s refused", evaluations, steps, refused);
     return alloc_format("holds, %s evaluations in %s steps, %s refused, none below %.3g us", evaluations, steps,
                         refused, us);

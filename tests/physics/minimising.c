@@ -108,7 +108,7 @@ static packing make_long_row(uint64_t seed) {
 static packing make_flexible(uint64_t seed) {
     packing p = make_contacts(seed);
     for (int i = 0; i < 12; i++)
-        packing_coil(&p, (double[]){1.5 * (i % 4), 1.5 * (double)(i / 4), 4}, 0.5, 0.3, 0.02);
+        packing_coil(&p, (double[]){1.5 * (i % 4), 1.5 * floor(i / 4.0), 4}, 0.5, 0.3, 0.02);
     return p;
 }
 
