@@ -69,6 +69,8 @@ typedef struct contact_kernel {
     bool (*rows[2][2])(const contact_law_values *law, const kernel_rows *rows, kernel_sums *sums);
     /* y = exp(x), n a multiple of KERNEL_LANES; SLEEF's deterministic one, the same bits in every width. */
     void (*exponential)(size_t n, const double *x, double *y);
+    void (*exponential_less_one)(size_t n, const double *x,
+                                 double *y); /* exp(x) - 1, as exact near 0; the same of it */
     /* n components fly; returns how many change by more than `near`, or to what is no number. */
     size_t (*fly)(size_t n, const kernel_flight *q);
     /* v += weight x kick x force, n components; returns how many of kick |force - before| are not within `little` (a

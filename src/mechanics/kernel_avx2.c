@@ -60,4 +60,5 @@ static inline void pack_records(const double *const *from, int n, pack *to) {
 #define KERNEL_NAME avx2
 #define KERNEL_EXP_LANES 4
 #define KERNEL_EXP(x, y) _mm256_storeu_pd(y, Sleef_cinz_expd4_u10avx(_mm256_loadu_pd(x)))
+#define KERNEL_EXPM1(x, y) _mm256_storeu_pd(y, Sleef_cinz_expm1d4_u10avx(_mm256_loadu_pd(x)))
 #include "mechanics/kernel_batch.h"

@@ -72,4 +72,5 @@ static inline void pack_records(const double *const *from, int n, pack *to) {
 #define KERNEL_NAME avx512
 #define KERNEL_EXP_LANES 8
 #define KERNEL_EXP(x, y) _mm512_storeu_pd(y, Sleef_cinz_expd8_u10avx512fnofma(_mm512_loadu_pd(x)))
+#define KERNEL_EXPM1(x, y) _mm512_storeu_pd(y, Sleef_cinz_expm1d8_u10avx512fnofma(_mm512_loadu_pd(x)))
 #include "mechanics/kernel_batch.h"

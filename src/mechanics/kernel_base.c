@@ -107,4 +107,5 @@ static inline void pack_records(const double *const *from, int n, pack *to) {
 #define KERNEL_NAME base
 #define KERNEL_EXP_LANES 1
 #define KERNEL_EXP(x, y) (*(y) = Sleef_cinz_expd1_u10purec(*(x)))
+#define KERNEL_EXPM1(x, y) (*(y) = Sleef_cinz_expm1d1_u10purec(*(x)))
 #include "mechanics/kernel_batch.h"

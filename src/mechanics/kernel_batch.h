@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The loops of the batched kernels, included by one small file a vector width, which defines KERNEL_NAME, the width's
- * suffix, and KERNEL_EXP(x, y), SLEEF's exponential of KERNEL_EXP_LANES numbers. */
+ * suffix, and KERNEL_EXP(x, y) and KERNEL_EXPM1(x, y), SLEEF's exponential of KERNEL_EXP_LANES numbers, and that less
+ * 1. */
 #include "mechanics/kernel.h"
 #include "mechanics/kernel_rows.h"
 
@@ -75,6 +76,11 @@ static void exponential(size_t n, const double *x, double *y) {
         KERNEL_EXP(x + i, y + i);
 }
 
+static void exponential_less_one(size_t n, const double *x, double *y) {
+    for (size_t i = 0; i < n; i += KERNEL_EXP_LANES)
+        KERNEL_EXPM1(x + i, y + i);
+}
+
 /* Compilers believe `restrict` of parameters, and need it to compute several components at once. */
 static size_t fly_apart(size_t n, double weight, double near, const double *restrict kick, const double *restrict decay,
                         const double *restrict flight, const double *restrict x0, const double *restrict v0,
@@ -112,5 +118,6 @@ const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME) = {
     {{contact, contact_flat}, {sphere, sphere_flat}},
     {{rows_segments, rows_segments_flat}, {rows_spheres, rows_spheres_flat}},
     exponential,
+    exponential_less_one,
     fly,
     kick};

@@ -36,6 +36,7 @@ void mechanics_free(mechanics *m) {
     neighbor_free(&m->neighbor);
     free(m->scratch);
     free(m->stiff.list);
+    free(m->start);
     free(m);
 }
 
@@ -304,6 +305,7 @@ static void bind(mechanics *m, const mechanics_input *in) {
         m->reach *= sqrt(1 + 0.25 * collision->p[COLLISION_EPSILON]);
     m->skin = choose_skin(m);
     m->listed = false;
+    m->started = false;
 }
 
 int mechanics_prepare(mechanics *m, const mechanics_input *in, diag *d) {

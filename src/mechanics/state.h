@@ -58,6 +58,9 @@ struct mechanics {
     const contact_kernel *kernel;
     double *scratch; /* (nparticles x dimensions) */
     stiff_list stiff;
+    double *start; /* (nparticles x dimensions) of the search for the stiffest mode; drawn when first wanted */
+    size_t start_capacity;
+    bool started;
     size_t body_capacity, particle_capacity, capsule_capacity, share_capacity;
     mechanics_stats stats;
 };

@@ -20,7 +20,7 @@ void mechanics_memory(const mechanics *m, mechanics_part parts[MECHANICS_PARTS])
                            list->grid.rows_capacity * sizeof *list->grid.rows},
         {"spring index",
          m->springs.ends_capacity * sizeof *m->springs.ends + m->springs.start_capacity * sizeof *m->springs.start},
-        {"stiffness", m->stiff.capacity * sizeof *m->stiff.list},
+        {"stiffness", m->stiff.capacity * sizeof *m->stiff.list + m->start_capacity * sizeof *m->start},
     };
     for (int i = 0; i < MECHANICS_PARTS; i++)
         parts[i] = all[i];

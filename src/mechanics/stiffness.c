@@ -29,13 +29,14 @@ void state_springs(const mechanics *m, const double *x, bool chains, stiff_list 
 
 /* The springs that act, weights divided by the root of the particle's mass. */
 static void collect(mechanics *m, const double *x, bool chains) {
+    double *root = m->scratch;
+    for (size_t p = 0; p < m->nparticles; p++)
+        root[p] = sqrt(m->mass[p]);
     state_springs(m, x, chains, &m->stiff);
     for (size_t i = 0; i < m->stiff.count; i++)
-        for (uint32_t j = 0; j < m->stiff.list[i].count; j++) {
-            double root = sqrt(m->mass[m->stiff.list[i].particle[j]]);
+        for (uint32_t j = 0; j < m->stiff.list[i].count; j++)
             for (int k = 0; k < 3; k++)
-                m->stiff.list[i].g[j][k] /= root;
-        }
+                m->stiff.list[i].g[j][k] /= root[m->stiff.list[i].particle[j]];
 }
 
 DIMENSIONS_INLINE double dot_in(const double *a, const double *b, int dimensions) {
@@ -43,16 +44,29 @@ DIMENSIONS_INLINE double dot_in(const double *a, const double *b, int dimensions
     return dimensions > 2 ? sum + a[2] * b[2] : sum;
 }
 
-DIMENSIONS_INLINE void apply_in(const mechanics *m, const double *mode, double *out, int dimensions) {
+/* k g g' mode of one spring with that many ends. */
+DIMENSIONS_INLINE void apply_spring(const stiff_spring *s, uint32_t ends, const double *mode, double *out,
+                                    int dimensions) {
     const size_t width = (size_t)dimensions;
+    double along = 0;
+    for (uint32_t j = 0; j < ends; j++)
+        along += dot_in(s->g[j], mode + width * s->particle[j], dimensions);
+    const double pull = s->k * along;
+    for (uint32_t j = 0; j < ends; j++)
+        for (size_t k = 0; k < width; k++)
+            out[width * s->particle[j] + k] += pull * s->g[j][k];
+}
+
+/* Springs of rods in contact (four ends) and within rods (two) are most of all: their loops are unrolled. */
+DIMENSIONS_INLINE void apply_in(const mechanics *m, const double *mode, double *out, int dimensions) {
     for (size_t i = 0; i < m->stiff.count; i++) {
         const stiff_spring *s = &m->stiff.list[i];
-        double along = 0;
-        for (uint32_t j = 0; j < s->count; j++)
-            along += dot_in(s->g[j], mode + width * s->particle[j], dimensions);
-        for (uint32_t j = 0; j < s->count; j++)
-            for (size_t k = 0; k < width; k++)
-                out[width * s->particle[j] + k] += s->k * along * s->g[j][k];
+        if (s->count == 4)
+            apply_spring(s, 4, mode, out, dimensions);
+        else if (s->count == 2)
+            apply_spring(s, 2, mode, out, dimensions);
+        else
+            apply_spring(s, s->count, mode, out, dimensions);
     }
 }
 
@@ -78,17 +92,25 @@ DIMENSIONS_INLINE double dot(const mechanics *m, const double *a, const double *
     return m->flat ? sum_in(m, a, b, 2) : sum_in(m, a, b, 3);
 }
 
-/* A start with a part in every mode, the same for the same cells. */
-static void start(const mechanics *m, double *mode) {
+static void draw_start(mechanics *m) {
     const size_t width = (size_t)state_dimensions(m);
+    m->start = alloc_grow(m->start, &m->start_capacity, state_components(m), sizeof *m->start);
     for (size_t slot = 0; slot < m->nbodies; slot++) {
         const body *b = &m->bodies[slot];
         for (uint32_t i = 0; i < b->owned; i++) {
             double u[3];
             rng_direction(0, body_particle_key(b, b->first + i), 0, u);
-            memcpy(mode + width * (b->first + i), u, width * sizeof *u);
+            memcpy(m->start + width * (b->first + i), u, width * sizeof *u);
         }
     }
+    m->started = true;
+}
+
+/* A start with a part in every mode, the same for the same cells: drawn once a binding. */
+static void start(mechanics *m, double *mode) {
+    if (!m->started)
+        draw_start(m);
+    memcpy(mode, m->start, state_components(m) * sizeof *mode);
 }
 
 /* Has something come to act that is far stiffer than `value`, in which the mode has no part yet? A few steps from a new

@@ -117,7 +117,7 @@ static void test_widths(void **state) {
     }
 }
 
-/* The widths' exponentials, over and beyond the range of the law. */
+/* The widths' exponentials, over and beyond the ranges of DLVO and of damping in a step. */
 static void test_exponentials(void **state) {
     (void)state;
     static const char *const widths[] = {"avx2", "avx512"};
@@ -135,6 +135,18 @@ static void test_exponentials(void **state) {
     }
     for (int i = 0; i < N; i++)
         assert_near(y[i], exp(x[i]), 4e-16 * exp(x[i]));
+    for (int i = 0; i < N; i++)
+        x[i] = i < 16 ? -1e5 * i : -pow(10, 3 - 20.0 * i / N);
+    kernel_find("base")->exponential_less_one(N, x, y);
+    for (int w = 0; w < 2; w++) {
+        const contact_kernel *k = kernel_find(widths[w]);
+        if (!k)
+            continue;
+        k->exponential_less_one(N, x, z);
+        assert_memory_equal(y, z, N * sizeof *y);
+    }
+    for (int i = 0; i < N; i++)
+        assert_near(y[i], expm1(x[i]), 4e-16 * fabs(expm1(x[i])));
     free(x);
     free(y);
     free(z);

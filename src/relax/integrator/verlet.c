@@ -24,7 +24,6 @@
 #include "mechanics/kernel.h"
 
 #include <math.h>
-#include <sleef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -177,24 +176,32 @@ static bool look(splitting *self, motion *mo, double t1) {
     return self->short_looks < SHORT_LOOKS && bearable >= least_refused * mo->least;
 }
 
-DIMENSIONS_INLINE void set_factors(splitting *self, const motion *mo, size_t width) {
-    const double *mass = mechanics_mass(mo->m);
-    double drag = mechanics_drag(mo->m), kick = 0, rate = 0, loss = 0;
-    for (size_t p = 0; p < mo->n; p++) {
-        if (p == 0 || mass[p] != mass[p - 1]) {
-            rate = drag / (self->heavier * mass[p]);
-            kick = 0.5 * self->h / (self->heavier * mass[p]);
-            loss = Sleef_cinz_expm1d1_u10purec(-rate * self->h);
-        }
+/* Those of particles begin ... end - 1, FACTORS_AT_ONCE at most. */
+enum { FACTORS_AT_ONCE = 8 * KERNEL_LANES };
+DIMENSIONS_INLINE void set_some_factors(splitting *self, const motion *mo, size_t begin, size_t end, size_t width) {
+    const double *mass = mechanics_mass(mo->m), drag = mechanics_drag(mo->m);
+    double rate[FACTORS_AT_ONCE], decayed[FACTORS_AT_ONCE] = {0}, loss[FACTORS_AT_ONCE];
+    for (size_t p = begin; p < end; p++) {
+        rate[p - begin] = drag / (self->heavier * mass[p]);
+        decayed[p - begin] = -rate[p - begin] * self->h;
+    }
+    mechanics_loops(mo->m)->exponential_less_one(FACTORS_AT_ONCE, decayed, loss);
+    for (size_t p = begin; p < end; p++) {
+        const double flight = rate[p - begin] > 0 ? -loss[p - begin] / rate[p - begin] : self->h;
+        const double kick = 0.5 * self->h / (self->heavier * mass[p]);
+        const bool chained = self->chains && mechanics_is_chained(mo->m, p);
         for (size_t i = width * p; i < width * (p + 1); i++) {
             self->kick[i] = kick;
-            self->decay[i] = 1 + loss;
-            self->flight[i] = rate > 0 ? -loss / rate : self->h;
+            self->decay[i] = chained ? 1 : 1 + loss[p - begin];
+            self->flight[i] = chained ? 0 : flight;
         }
-        for (size_t i = width * p; self->chains && i < width * (p + 1) && mechanics_is_chained(mo->m, p); i++) {
-            self->decay[i] = 1;
-            self->flight[i] = 0;
-        }
+    }
+}
+
+DIMENSIONS_INLINE void set_factors(splitting *self, const motion *mo, size_t width) {
+    for (size_t begin = 0; begin < mo->n; begin += FACTORS_AT_ONCE) {
+        size_t end = begin + FACTORS_AT_ONCE;
+        set_some_factors(self, mo, begin, end < mo->n ? end : mo->n, width);
     }
 }
 
