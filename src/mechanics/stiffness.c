@@ -6,6 +6,7 @@
 
 #include "base/alloc.h"
 #include "base/rng.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -113,11 +114,31 @@ static void start(mechanics *m, double *mode) {
     memcpy(mode, m->start, state_components(m) * sizeof *mode);
 }
 
+/* No eigenvalue is larger (Gershgorin): the largest sum of absolute values over a row of particles. */
+static double upper_bound(mechanics *m) {
+    double *sums = m->scratch, most = 0;
+    memset(sums, 0, m->nparticles * sizeof *sums);
+    for (size_t i = 0; i < m->stiff.count; i++) {
+        const stiff_spring *s = &m->stiff.list[i];
+        double lengths[TABLE_COUNT(s->g)], all = 0;
+        for (uint32_t j = 0; j < s->count; j++)
+            all += lengths[j] = sqrt(dot_in(s->g[j], s->g[j], state_dimensions(m)));
+        for (uint32_t j = 0; j < s->count; j++)
+            sums[s->particle[j]] += fabs(s->k) * all * lengths[j];
+    }
+    for (size_t p = 0; p < m->nparticles; p++)
+        most = fmax(most, sums[p]);
+    return most;
+}
+
 /* Has something come to act that is far stiffer than `value`, in which the mode has no part yet? A few steps from a new
- * start see that. */
+ * start see that, unless nothing can be. */
 static bool is_stiffer(mechanics *m, double *probe, double value) {
     enum { STEPS = 3 };
+    static const double far = 10;
     double size = 0, before = 0;
+    if (upper_bound(m) * (1 + 1e-9) <= far * value)
+        return false;
     start(m, probe);
     for (int i = 0; i < STEPS; i++) {
         before = sqrt(dot(m, probe, probe));
@@ -125,7 +146,7 @@ static bool is_stiffer(mechanics *m, double *probe, double value) {
         size = sqrt(dot(m, m->scratch, m->scratch));
         memcpy(probe, m->scratch, state_components(m) * sizeof *probe);
     }
-    return size > 10 * value * before;
+    return size > far * value * before;
 }
 
 /* By power iteration. */
