@@ -62,7 +62,7 @@ static int run_read(interp *in, const args *a, diag *d) {
         if (!(rows[i].mass > 0))
             status = diag_error(d, "cell %zu of the file has no mass", i + 1);
     if (!status)
-        status = link_file_check(&links, rows, count, d);
+        status = link_file_check(&links, interp_scene(in), rows, count, d);
     const placement p = {.orient = ORIENT_RANDOM, .gap = NAN, .overlap = true, .mass = spread_fixed(1), .maxtry = 1};
     if (!status)
         status = scene_create_rows(s, &p, rows, count, &created, d);

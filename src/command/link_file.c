@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/number.h"
 #include "base/table.h"
+#include "engine/flat.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -133,7 +134,7 @@ static bool holds(const link_file_row *row, const cell_row **cells, size_t n, ui
     return id && cell && (id == row->cell_a || id == row->cell_b) && particle >= 1 && particle <= cell->nparticles;
 }
 
-int link_file_check(const link_file *l, const cell_row *rows, size_t n, diag *d) {
+int link_file_check(const link_file *l, const scene *s, const cell_row *rows, size_t n, diag *d) {
     const cell_row **cells = sort_cells(rows, n);
     int status = SARCINA_OK;
     for (size_t i = 0; i < l->n && !status; i++) {
@@ -146,6 +147,8 @@ int link_file_check(const link_file *l, const cell_row *rows, size_t n, diag *d)
                     (!same || (before->cell_a == row->cell_a && before->cell_b == row->cell_b));
         if (!good)
             status = diag_error(d, "spring %zu of the links in the file holds no two particles of its cells", i + 1);
+        else
+            status = flat_check_link(s, (link_kind)row->kind, d);
     }
     free((void *)cells);
     return status;

@@ -32,8 +32,8 @@ bool link_file_begins(const csv *t);
 int link_file_read(link_file *l, csv *t, diag *d);
 void link_file_free(link_file *l);
 
-/* Whether the cells and particles they hold are among these. */
-int link_file_check(const link_file *l, const cell_row *rows, size_t n, diag *d);
+/* Whether the cells and particles they hold are among these, and the scene may have links of their kinds. */
+int link_file_check(const link_file *l, const scene *s, const cell_row *rows, size_t n, diag *d);
 
 /* Adds them to a scene that has those cells. */
 void link_file_add(const link_file *l, scene *s);
