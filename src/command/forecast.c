@@ -76,13 +76,20 @@ void forecast_create(interp *in, const creation *c) {
     f->creations[f->ncreations++] = *c;
 }
 
+/* A build without pictures leaves them out, and they cost nothing; that they are too coarse is said all the same. */
+static bool draws(void) {
+    return !dump_styles[dump_find("image")]->missing;
+}
+
 static void add_picture(forecast *f, forecast_run *r, const image_options *o, double times) {
     double pixels = (double)o->width * (double)o->height;
+    f->least_across = fmin(f->least_across, o->zoom * fmin(o->width, o->height));
+    if (!draws())
+        return;
     r->frames += times;
     r->pixels += times * pixels;
     r->edges += times * sqrt(pixels);
     f->most_pixels = fmax(f->most_pixels, pixels);
-    f->least_across = fmin(f->least_across, o->zoom * fmin(o->width, o->height));
 }
 
 /* Pictures that the dumps of now make in a cycle of a run. */
