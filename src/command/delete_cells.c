@@ -83,7 +83,8 @@ static const param params[] = {
 
 static const command_form forms[] = {
     {"delete_cells GROUP:group", params, TABLE_COUNT(params), "Takes cells out, with their links", NULL,
-     "delete_cells cf where z > 1um probability 90%\ndelete_cells all fraction 50%", COMMAND_SHADOW, run_delete, NULL, 0},
+     "delete_cells cf where z > 1um probability 90%\ndelete_cells all fraction 50%", COMMAND_SHADOW, run_delete, NULL,
+     0},
 };
 
 void command_delete_cells(command_table *t) {
