@@ -111,6 +111,14 @@ void forecast_cost(const forecast_price *p, double cells, double *evaluations, d
 /* forecast_tradeoff.c: CPU seconds of all of them, measured on the cells of the rehearsal. */
 double forecast_tradeoffs(scene *s, const forecast *f, const forecast_price *p);
 
+/* What the warnings look at. */
+typedef struct forecast_subject {
+    interp *in;
+    const scene *s;
+    const forecast *f;
+    const forecast_end *end;
+} forecast_subject;
+
 /* forecast_warn.c */
 void forecast_warn(interp *in, const forecast *f, const forecast_end *end);
 

@@ -9,15 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-typedef struct subject {
-    interp *in;
-    const scene *s;
-    const forecast *f;
-    const forecast_end *end;
-} subject;
-
 /* Of the cells that there are in the end the thinnest, um; infinite: none is known. */
-static double least_diameter(const subject *u) {
+static double least_diameter(const forecast_subject *u) {
     double least = INFINITY;
     for (size_t i = 0; i < u->s->species.count && i < FORECAST_SPECIES; i++)
         if (u->end->of[i] > 0)
@@ -26,7 +19,7 @@ static double least_diameter(const subject *u) {
 }
 
 /* Its extent is that of a ball where nothing makes it flat: so large it is at least. */
-static void warn_picture(const subject *u) {
+static void warn_picture(const forecast_subject *u) {
     double across = 2 * forecast_radius(u->s, u->end, false), pixel = across / u->f->least_across;
     if (pixel > least_diameter(u))
         interp_warn(u->in,
@@ -36,7 +29,7 @@ static void warn_picture(const subject *u) {
 }
 
 /* Of places: a profile's, and a histogram's of a coordinate. At most so far they reach: a heap is a ball in height. */
-static double extent_of(const subject *u, const output_analysis *p) {
+static double extent_of(const forecast_subject *u, const output_analysis *p) {
     const char *along = analyze_bins_along(p);
     bool layer = u->s->dimension == 2 || u->s->forces.term[FORCE_SUBSTRATUM].on;
     double low, high;
@@ -49,7 +42,7 @@ static double extent_of(const subject *u, const output_analysis *p) {
     return *along == 'r' || (layer && *along == 'z') ? radius : 2 * radius;
 }
 
-static void warn_bins(const subject *u) {
+static void warn_bins(const forecast_subject *u) {
     const outputs *o = output_list_of(u->in);
     for (size_t i = 0; i < o->nanalyses && !u->f->unknown; i++) {
         const output_analysis *p = &o->analyses[i];
@@ -61,7 +54,7 @@ static void warn_bins(const subject *u) {
 }
 
 /* A cell divides once in a growth step: its daughters come too late to. */
-static void warn_growth(const subject *u) {
+static void warn_growth(const forecast_subject *u) {
     for (size_t i = 0; i < u->f->nruns; i++)
         for (size_t k = 0; k < u->s->species.count && k < FORECAST_SPECIES; k++) {
             const forecast_run *run = &u->f->runs[i];
@@ -87,7 +80,7 @@ static bool has_rules(const scene *s) {
     return false;
 }
 
-static void warn_remodelling(const subject *u) {
+static void warn_remodelling(const forecast_subject *u) {
     double every = u->s->links.every;
     for (size_t i = 0; i < u->f->nruns && every > 0 && has_rules(u->s); i++) {
         double time = u->f->runs[i].relax;
@@ -104,8 +97,8 @@ static void warn_remodelling(const subject *u) {
 }
 
 void forecast_warn_sizes(interp *in, const forecast *f, const forecast_end *end) {
-    static void (*const all[])(const subject *u) = {warn_picture, warn_bins, warn_growth, warn_remodelling};
-    const subject u = {in, interp_scene(in), f, end};
+    static void (*const all[])(const forecast_subject *u) = {warn_picture, warn_bins, warn_growth, warn_remodelling};
+    const forecast_subject u = {in, interp_scene(in), f, end};
     for (size_t i = 0; i < TABLE_COUNT(all); i++)
         all[i](&u);
 }

@@ -10,13 +10,6 @@
 
 #include <math.h>
 
-typedef struct subject {
-    interp *in;
-    const scene *s;
-    const forecast *f;
-    const forecast_end *end;
-} subject;
-
 static const double nm_each_um = 1e3;
 
 double forecast_diameter(const species *sp) {
@@ -31,7 +24,7 @@ static size_t species_count(const scene *s) {
 }
 
 /* Lightest particle of all, at birth, pg. */
-static double least_mass(const subject *u) {
+static double least_mass(const forecast_subject *u) {
     double least = INFINITY;
     for (size_t i = 0; i < species_count(u->s); i++) {
         const species *sp = &u->s->species.list[i];
@@ -43,7 +36,7 @@ static double least_mass(const subject *u) {
     return least;
 }
 
-static bool has_cells(const subject *u, size_t species_row) {
+static bool has_cells(const forecast_subject *u, size_t species_row) {
     for (size_t i = 0; i < u->s->attachments.count; i++)
         if (u->s->attachments.list[i].placement.species == (int)species_row)
             return true;
@@ -53,7 +46,7 @@ static bool has_cells(const subject *u, size_t species_row) {
 /* ---- what never acts --------------------------------------------------------------------------------------------- */
 
 /* Flexible cells may touch themselves. */
-static void warn_collision(const subject *u) {
+static void warn_collision(const forecast_subject *u) {
     bool alone = u->end->cells > 0 && u->end->cells < 2 && !u->f->unknown && u->s->attachments.count == 0;
     for (size_t i = 0; i < species_count(u->s); i++)
         alone = alone && !(u->s->species.list[i].shape == SHAPE_FLEXIBLE && u->end->of[i] > 0);
@@ -61,7 +54,7 @@ static void warn_collision(const subject *u) {
         interp_warn(u->in, "force collision never acts: there is one cell, and it does not divide");
 }
 
-static void warn_links(const subject *u) {
+static void warn_links(const forecast_subject *u) {
     const scene *s = u->s;
     for (int kind = 0; kind < LINK_STYLES; kind++)
         for (size_t a = 0; a < species_count(s); a++)
@@ -91,7 +84,7 @@ double forecast_radius(const scene *s, const forecast_end *end, bool layer) {
     return layer ? sqrt(2 * area / M_PI) : cbrt(3 * 2 * volume / (4 * M_PI));
 }
 
-static void warn_substratum(const subject *u) {
+static void warn_substratum(const forecast_subject *u) {
     double radius = forecast_radius(u->s, u->end, false);
     if (u->s->forces.term[FORCE_SUBSTRATUM].on && !u->s->forces.term[FORCE_GRAVITY].on && !u->f->unknown &&
         isfinite(u->f->least_gap) && u->f->least_gap > 3 * radius + 5)
@@ -105,7 +98,7 @@ static void warn_substratum(const subject *u) {
 
 /* Largest spring constants of each cause, times how many act on a particle in a dense colony, pg/s2. */
 enum { CAUSES = 6 };
-static void find_stiffness(const subject *u, const char *name[CAUSES], double k[CAUSES], double own[CAUSES]) {
+static void find_stiffness(const forecast_subject *u, const char *name[CAUSES], double k[CAUSES], double own[CAUSES]) {
     static const char *const names[CAUSES] = {"force collision", "link internal", "substratum",
                                               "link filial",     "link stick",    "link anchor"};
     const force_settings *t = u->s->forces.term;
@@ -129,7 +122,7 @@ static void find_stiffness(const subject *u, const char *name[CAUSES], double k[
 }
 
 /* A term that makes every step four times as short as the others would. */
-static void warn_stiffness(const subject *u) {
+static void warn_stiffness(const forecast_subject *u) {
     const char *name[CAUSES];
     double k[CAUSES], own[CAUSES], mass = least_mass(u), all = 0;
     int worst = 0;
@@ -150,7 +143,7 @@ static void warn_stiffness(const subject *u) {
 /* ---- lengths ----------------------------------------------------------------------------------------------------- */
 
 /* Of a division's new link: facing ends touch, and both daughters are as long as their rest length. */
-static void warn_filial(const subject *u) {
+static void warn_filial(const forecast_subject *u) {
     for (size_t a = 0; a < species_count(u->s); a++) {
         const link_rule *rule = link_rules_find(&u->s->links, LINK_FILIAL, (int)a, (int)a);
         const species *sp = &u->s->species.list[a];
@@ -168,7 +161,7 @@ static void warn_filial(const subject *u) {
 }
 
 /* Neighbours in a growing colony lie some hundredths of a diameter in each other, which pushes out what holds them. */
-static void warn_break(const subject *u) {
+static void warn_break(const forecast_subject *u) {
     static const double overlap = 0.02;
     for (int kind = 0; kind < LINK_STYLES; kind++)
         for (size_t a = 0; a < species_count(u->s); a++)
@@ -183,7 +176,7 @@ static void warn_break(const subject *u) {
             }
 }
 
-static void warn_clamp(const subject *u) {
+static void warn_clamp(const forecast_subject *u) {
     const force_settings *dlvo = &u->s->forces.term[FORCE_DLVO];
     double clamp = dlvo->on ? dlvo->p[DLVO_CLAMP] / dlvo->p[DLVO_KAPPA] : 0;
     for (size_t a = 0; a < species_count(u->s); a++)
@@ -194,7 +187,7 @@ static void warn_clamp(const subject *u) {
         }
 }
 
-static void warn_jitter(const subject *u) {
+static void warn_jitter(const forecast_subject *u) {
     for (size_t a = 0; a < species_count(u->s); a++) {
         const species *sp = &u->s->species.list[a];
         double jitter = sp->division.style < 0 ? 0 : sp->division.values[DIVISION_JITTER].a;
@@ -204,9 +197,9 @@ static void warn_jitter(const subject *u) {
 }
 
 void forecast_warn(interp *in, const forecast *f, const forecast_end *end) {
-    static void (*const all[])(const subject *u) = {warn_collision, warn_links, warn_substratum, warn_stiffness,
-                                                    warn_filial,    warn_break, warn_clamp,      warn_jitter};
-    const subject u = {in, interp_scene(in), f, end};
+    static void (*const all[])(const forecast_subject *u) = {
+        warn_collision, warn_links, warn_substratum, warn_stiffness, warn_filial, warn_break, warn_clamp, warn_jitter};
+    const forecast_subject u = {in, interp_scene(in), f, end};
     if (f->nruns == 0 || end->load.cycles == 0)
         return; /* a part of a script, which others include */
     for (size_t i = 0; i < TABLE_COUNT(all); i++)

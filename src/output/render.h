@@ -19,8 +19,9 @@ typedef struct stage {
     double radius; /* of a ball around them, um */
 } stage;
 
-/* Fills the canvas, whose size is that of the stage's camera. The bits do not depend on the number of threads. */
 size_t render_pixel_bytes(void); /* what a pixel takes while it is drawn */
+
+/* Fills the canvas, whose size is that of the stage's camera. The bits do not depend on the number of threads. */
 int render_stage(const stage *s, canvas *out, int threads, diag *d);
 
 #endif
