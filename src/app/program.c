@@ -21,7 +21,21 @@
 
 static volatile sig_atomic_t interrupted, patient, ending;
 
-static void on_interrupt(int signal_number) {
+/* Whether the same signal came a moment ago: timeout(1) and others signal a process and then its whole group, which is
+ * one wish, and nobody presses a key twice in that time. */
+static bool is_echo(int signal_number) {
+    static struct timespec last;
+    static int last_number;
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    double since = (double)(now.tv_sec - last.tv_sec) + 1e-9 * (double)(now.tv_nsec - last.tv_nsec);
+    bool echo = signal_number == last_number && since < 0.1;
+    last = now;
+    last_number = signal_number;
+    return echo;
+}
+
+static void interrupt(int signal_number) {
     static const char warning[] = "\nthe command has not come to an end yet; Ctrl-C once more ends sarcina\n";
     if (interrupted > patient) { /* it is not being looked at */
         signal(signal_number, SIG_DFL);
@@ -34,6 +48,11 @@ static void on_interrupt(int signal_number) {
             signal(signal_number, SIG_DFL);
     }
     interrupted++;
+}
+
+static void on_interrupt(int signal_number) {
+    if (!is_echo(signal_number))
+        interrupt(signal_number);
 }
 
 static bool is_ignored(int signal_number) {
@@ -50,8 +69,10 @@ void program_catch_interrupts(bool prompt) {
 
 static void on_ending(int signal_number, siginfo_t *from, void *context) {
     (void)context;
+    if (is_echo(signal_number))
+        return;
     if (signal_number == SIGINT)
-        on_interrupt(signal_number);
+        interrupt(signal_number);
     if (signal_number != SIGINT && ending) {
         signal(signal_number, SIG_DFL);
         raise(signal_number);
