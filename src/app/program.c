@@ -21,15 +21,15 @@
 
 static volatile sig_atomic_t interrupted, patient, ending;
 
-/* Whether the same signal came a moment ago: timeout(1) and others signal a process and then its whole group, which is
- * one wish, and nobody presses a key twice in that time. */
-static bool is_echo(int signal_number) {
+/* Whether a process has sent the same a moment ago: timeout(1) and others signal a process and then its whole group,
+ * which is one wish. Of a terminal (a code > 0: from the kernel) each is one. */
+static bool is_echo(int signal_number, const siginfo_t *from) {
     static struct timespec last;
     static int last_number;
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     double since = (double)(now.tv_sec - last.tv_sec) + 1e-9 * (double)(now.tv_nsec - last.tv_nsec);
-    bool echo = signal_number == last_number && since < 0.1;
+    bool echo = signal_number == last_number && since < 0.1 && from->si_code <= 0;
     last = now;
     last_number = signal_number;
     return echo;
@@ -50,8 +50,9 @@ static void interrupt(int signal_number) {
     interrupted++;
 }
 
-static void on_interrupt(int signal_number) {
-    if (!is_echo(signal_number))
+static void on_interrupt(int signal_number, siginfo_t *from, void *context) {
+    (void)context;
+    if (!is_echo(signal_number, from))
         interrupt(signal_number);
 }
 
@@ -61,7 +62,7 @@ static bool is_ignored(int signal_number) {
 }
 
 void program_catch_interrupts(bool prompt) {
-    struct sigaction action = {.sa_handler = on_interrupt};
+    struct sigaction action = {.sa_sigaction = on_interrupt, .sa_flags = SA_SIGINFO};
     sigemptyset(&action.sa_mask);
     if (prompt || !is_ignored(SIGINT))
         sigaction(SIGINT, &action, NULL);
@@ -69,7 +70,7 @@ void program_catch_interrupts(bool prompt) {
 
 static void on_ending(int signal_number, siginfo_t *from, void *context) {
     (void)context;
-    if (is_echo(signal_number))
+    if (is_echo(signal_number, from))
         return;
     if (signal_number == SIGINT)
         interrupt(signal_number);

@@ -32,8 +32,8 @@ interp *program_interp(program *p, const options *o, diag *d);
 
 /* Ctrl-C sets the interrupt flag; a second one before it was looked at ends the program. At a prompt the second only
  * says that the command has not come to an end yet, and the third ends the program. One that
- * follows within a tenth of a second counts as the same. Elsewhere a SIGINT that whoever started the program has set to
- * be ignored, as shells do for what they start in the background, stays so. */
+ * another process sends within a tenth of a second counts as the same. Elsewhere a SIGINT that whoever started the
+ * program has set to be ignored, as shells do for what they start in the background, stays so. */
 void program_catch_interrupts(bool prompt);
 void program_be_patient(void);
 bool program_is_interrupted(void);
