@@ -22,14 +22,14 @@
 static volatile sig_atomic_t interrupted, patient, ending;
 
 /* Whether a process has sent the same a moment ago: timeout(1) and others signal a process and then its whole group,
- * which is one wish. Of a terminal (a code > 0: from the kernel) each is one. */
+ * which is one wish. Of a terminal each is one (a code > 0: from the kernel; readline passes it on itself). */
 static bool is_echo(int signal_number, const siginfo_t *from) {
     static struct timespec last;
     static int last_number;
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     double since = (double)(now.tv_sec - last.tv_sec) + 1e-9 * (double)(now.tv_nsec - last.tv_nsec);
-    bool echo = signal_number == last_number && since < 0.1 && from->si_code <= 0;
+    bool echo = signal_number == last_number && since < 0.1 && from->si_code <= 0 && from->si_pid != getpid();
     last = now;
     last_number = signal_number;
     return echo;
