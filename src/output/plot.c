@@ -158,14 +158,35 @@ static void put_log_range(FILE *out, const double range[2], dim d) {
         fprintf(out, "set xrange [%g:%g]\n", range[0] / divisor / room, range[1] / divisor * room);
 }
 
+/* gnuplot labels the powers of ten alone, of which a short axis has one or none: there, 1, 2 and 5 of each. */
+static void put_log_tics(FILE *out, const char *axis, const double range[2], dim d) {
+    char unit[48];
+    double divisor = readable_unit(d, unit);
+    if (!(range[0] > 0) || !isfinite(range[1]) || floor(log10(range[1] / divisor)) > ceil(log10(range[0] / divisor)))
+        return;
+    int first = (int)floor(log10(range[0] / divisor)), last = (int)ceil(log10(range[1] / divisor));
+    fprintf(out, "set %s (", axis);
+    for (int power = first; power <= last; power++)
+        for (int digit = 1; digit <= 9; digit++) {
+            bool named = digit == 1 || digit == 2 || digit == 5;
+            fprintf(out, "%s%s%de%d%s", power == first && digit == 1 ? "" : ", ", named ? "" : "'' ", digit, power,
+                    named ? "" : " 1");
+        }
+    fputs(")\n", out);
+}
+
 static void put_ranges(FILE *out, const plot_diagram *p) {
     double range[2];
     find_range(p, true, false, range);
     put_range(out, "xrange", range, p->x_dim);
+    if (p->log_x)
+        put_log_tics(out, "xtics", range, p->x_dim);
     if (p->shape == PLOT_POINTS && p->log_x)
         put_log_range(out, range, p->x_dim);
     find_range(p, false, false, range);
     put_range(out, "yrange", range, p->curves[0].d);
+    if (p->log_y)
+        put_log_tics(out, "ytics", range, p->curves[0].d);
     find_range(p, false, true, range);
     for (size_t i = 0; i < p->count; i++)
         if (is_right(p, i)) {
@@ -189,7 +210,7 @@ static void put_axes(FILE *out, const plot_diagram *p) {
     if (p->log_y)
         fputs("set logscale y\nset format y '%g'\n", out);
     else
-        fputs("set offsets 0, 0, graph 0.05, 0\n", out);
+        fprintf(out, "set offsets 0, 0, graph 0.05, %s\n", p->nnotes ? "graph 0.25" : "0");
     if (p->shape == PLOT_BOXES && !p->log_y)
         fputs("set yrange [0:*]\nset offsets graph 0.02, graph 0.02, graph 0.05, 0\n", out);
     if (p->shape == PLOT_POINTS && !p->log_x)
@@ -213,6 +234,17 @@ static void put_using(FILE *out, const plot_diagram *p, size_t i, const char *be
     fprintf(out, "%s $data%zu using %s:%s axes x1y%d", first ? "" : ",", i + 1, x, behind, is_right(p, i) ? 2 : 1);
 }
 
+static void put_notes(FILE *out, const plot_diagram *p) {
+    char unit[48], digits[FIELD_ROOM];
+    double divisor = readable_unit(p->x_dim, unit);
+    for (size_t i = 0; i < p->nnotes; i++) {
+        fputs("set label ", out);
+        put_quoted(out, p->notes[i].text);
+        fprintf(out, " at first %s, graph 0.02 rotate textcolor rgb '#777777'\n",
+                field_number(p->notes[i].x / divisor, digits));
+    }
+}
+
 /* Colours begin again behind the last, with other dashes. */
 static void put_line(FILE *out, size_t i, double width) {
     fprintf(out, " linewidth %g linecolor rgb '%s' dashtype %zu", width, colors[i % COLORS], i / COLORS + 1);
@@ -224,7 +256,10 @@ static void put_mark(FILE *out, size_t i) {
 
 static void put_curve(FILE *out, const plot_diagram *p, size_t i, bool first) {
     const plot_curve *c = &p->curves[i];
-    if (p->shape == PLOT_BOXES) {
+    if (c->guide) {
+        put_using(out, p, i, "2", first);
+        fputs(" with lines linewidth 1 linecolor rgb '#777777' dashtype 2", out);
+    } else if (p->shape == PLOT_BOXES) {
         put_using(out, p, i, c->low ? "2:1:5:(0):2" : "2:1:3:(0):2", first);
         fprintf(out, " with boxxyerror fillcolor rgb '%s' fillstyle transparent solid 0.4 border linecolor rgb '%s'",
                 colors[i % COLORS], colors[i % COLORS]);
@@ -284,6 +319,7 @@ char *plot_script(const plot_diagram *p, const char *path) {
     put_axes(out, p);
     put_labels(out, p);
     put_ranges(out, p);
+    put_notes(out, p);
     put_data(out, p);
     put_plot(out, p);
     fclose(out);

@@ -25,7 +25,14 @@ typedef struct plot_curve {
     const double *x, *y;
     const double *low, *high; /* NULL: no band */
     const double *x_end;      /* upper ends of bins that begin at x; NULL: no bins */
+    bool guide;               /* a dashed grey line through its points: a margin, a front */
 } plot_curve;
+
+/* A word that stands upright over a place of the x axis. */
+typedef struct plot_note {
+    const char *text;
+    double x;
+} plot_note;
 
 typedef struct plot_diagram {
     const char *x_name; /* as its axis shows it, with the unit */
@@ -33,8 +40,10 @@ typedef struct plot_diagram {
     const char *x_label, *y_label; /* whole labels in place of those; NULL: none */
     plot_shape shape;
     bool log_x, log_y;
-    const plot_curve *curves;
+    const plot_curve *curves; /* guides are the last */
     size_t count;
+    const plot_note *notes;
+    size_t nnotes;
 } plot_diagram;
 
 /* Can gnuplot be started? The error says what to install. */
