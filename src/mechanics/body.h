@@ -35,20 +35,26 @@ typedef struct body {
     double density;    /* pg/um3 */
 } body;
 
-/* The segment between a body's ends, and what a contact needs of it: one cache line. */
+/* The segment between a body's ends, and what a contact needs of it: one cache line. What spheres need comes first. */
 typedef struct capsule {
     _Alignas(64) double x[3]; /* first end, um */
-    double d[3];              /* from the first end to the last; 0 0 0 for a coccus */
-    double radius, rest;
+    double radius;
+    double d[3]; /* from the first end to the last; 0 0 0 for a coccus */
+    double rest;
 } capsule;
 
 /* The same in the plane. Lists of capsules are of the one or the other. */
 typedef struct flat_capsule {
-    double x[2], d[2], radius, rest;
+    double x[2], radius, rest, d[2];
 } flat_capsule;
 
 static inline size_t capsule_size(bool flat) {
     return flat ? sizeof(flat_capsule) : sizeof(capsule);
+}
+
+/* Where a slot's capsule begins in a list of them, in numbers of 8 bytes: lists may have 2^29 of them. */
+static inline uint32_t capsule_place(size_t slot, bool flat) {
+    return (uint32_t)(slot * (capsule_size(flat) / sizeof(double)));
 }
 
 /* A capsule of a list; in the plane with z 0, in *room. */
@@ -56,7 +62,7 @@ static inline const capsule *capsule_get(const void *list, size_t slot, bool fla
     if (!flat)
         return &((const capsule *)list)[slot];
     const flat_capsule *c = &((const flat_capsule *)list)[slot];
-    *room = (capsule){{c->x[0], c->x[1], 0}, {c->d[0], c->d[1], 0}, c->radius, c->rest};
+    *room = (capsule){{c->x[0], c->x[1], 0}, c->radius, {c->d[0], c->d[1], 0}, c->rest};
     return room;
 }
 
@@ -66,7 +72,7 @@ DIMENSIONS_INLINE void capsule_set(void *list, size_t slot, int dimensions, cons
     capsule *c = &((capsule *)list)[slot];
     flat_capsule *flat = &((flat_capsule *)list)[slot];
     if (dimensions == 2) {
-        *flat = (flat_capsule){{first[0], first[1]}, {last[0] - first[0], last[1] - first[1]}, radius, rest};
+        *flat = (flat_capsule){{first[0], first[1]}, radius, rest, {last[0] - first[0], last[1] - first[1]}};
         return;
     }
     for (int k = 0; k < 3; k++) {

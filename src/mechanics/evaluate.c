@@ -158,11 +158,16 @@ force_frame state_frame(const mechanics *m, const double *x, const double *v) {
     };
 }
 
-DIMENSIONS_INLINE void clear_in(const mechanics *m, size_t begin, size_t end, double *f, size_t dimensions) {
+/* A body owns one particle or two. */
+DIMENSIONS_INLINE void clear_in(const mechanics *m, size_t begin, size_t end, double *f, int dimensions) {
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &m->bodies[slot];
-        for (size_t i = dimensions * b->first; i < dimensions * (b->first + b->owned); i++)
-            f[i] = 0;
+        double *own = f + (size_t)dimensions * b->first;
+        for (int k = 0; k < dimensions; k++)
+            own[k] = 0;
+        if (b->owned > 1)
+            for (int k = 0; k < dimensions; k++)
+                own[dimensions + k] = 0;
     }
 }
 

@@ -16,11 +16,12 @@ enum { KERNEL_LANES = 8, KERNEL_BATCH = 128 }; /* pairs at once: the arrays belo
 /* KERNEL_LANES bodies beside each other, each with a row of its own partners. Rows that end sooner are filled with a
  * body that nothing reaches, so that every lane does the same: what such a body adds is 0, and changes no bit. */
 typedef struct kernel_rows {
-    const void *capsules;       /* by slot: capsule, or flat_capsule in the plane */
-    const uint32_t *owners;     /* (KERNEL_LANES) slots */
-    const uint32_t *partners;   /* (length x KERNEL_LANES) slots, in the order of ids */
-    size_t begin, length;       /* these are the partners from the begin-th on; of the longest row */
-    double lower[KERNEL_LANES]; /* partners with ids below the owner's, from the row's begin on: the first so many */
+    const void *capsules;     /* by slot: capsule, or flat_capsule in the plane */
+    const uint32_t *owners;   /* (KERNEL_LANES) slots */
+    const uint32_t *partners; /* (length x KERNEL_LANES) in the order of ids: capsule_place of their slots */
+    size_t begin, length;     /* these are the partners from the begin-th on; of the longest row */
+    const double *lower;      /* (KERNEL_LANES) partners with ids below the owner's, from the row's begin on: the
+                               * first so many */
 } kernel_rows;
 
 /* What the partners do to each owner, and the part of that on its last particle; 1e-21 N. */

@@ -24,22 +24,23 @@ typedef struct rows_bodies {
     pack x[3], d[3], radius, rest;
 } rows_bodies;
 
-_Static_assert(sizeof(capsule) == 8 * sizeof(double), "capsules are read as numbers");
-_Static_assert(sizeof(flat_capsule) == 6 * sizeof(double), "capsules are read as numbers");
+_Static_assert(sizeof(capsule) == 8 * sizeof(double) && offsetof(capsule, d) == 4 * sizeof(double) &&
+                   sizeof(flat_capsule) == 6 * sizeof(double) && offsetof(flat_capsule, d) == 4 * sizeof(double),
+               "capsules are read as numbers");
 
-KERNEL_INLINE void load_bodies(int dimensions, const void *capsules, const uint32_t *slots, rows_bodies *to) {
-    const int n = 2 * dimensions + 2;
+/* Those that begin at these places; in the plane the rest length comes before the axis. */
+KERNEL_INLINE void load_bodies(int dimensions, const void *capsules, const uint32_t *places, rows_bodies *to) {
     const double *from[PACK_WIDTH];
     pack numbers[8];
     for (int l = 0; l < PACK_WIDTH; l++)
-        from[l] = (const double *)capsules + (size_t)n * slots[l];
-    pack_records(from, n, numbers);
+        from[l] = (const double *)capsules + places[l];
+    pack_records(from, 2 * dimensions + 2, numbers);
     for (int k = 0; k < dimensions; k++) {
         to->x[k] = numbers[k];
-        to->d[k] = numbers[dimensions + k];
+        to->d[k] = numbers[4 + k];
     }
-    to->radius = numbers[n - 2];
-    to->rest = numbers[n - 1];
+    to->radius = numbers[dimensions];
+    to->rest = numbers[dimensions > 2 ? 7 : 3];
 }
 
 /* What the second loop needs of the contacts that the first has found. */
@@ -130,7 +131,10 @@ KERNEL_INLINE bool sum_rows(int dimensions, bool axes, const contact_law_values 
         sums.last[k] = rows->begin ? pack_load(out->last[k] + from) : pack_set(0);
     }
     sums.coincident = pack_less(pack_set(0), pack_set(0));
-    load_bodies(dimensions, rows->capsules, rows->owners + from, &own);
+    uint32_t places[PACK_WIDTH];
+    for (size_t i = 0; i < PACK_WIDTH; i++)
+        places[i] = capsule_place(rows->owners[from + i], dimensions == 2);
+    load_bodies(dimensions, rows->capsules, places, &own);
     for (size_t begin = 0; begin < rows->length; begin += ROWS_BLOCK) {
         const size_t n = rows->length - begin < ROWS_BLOCK ? rows->length - begin : ROWS_BLOCK;
         sum_block(dimensions, axes, l, rows, from, begin, n, &own, &sums);

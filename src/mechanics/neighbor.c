@@ -16,6 +16,7 @@ void neighbor_free(neighbor *list) {
     free(list->middle);
     free(list->by_id);
     free(list->members);
+    free(list->lower);
     free(list->lanes);
     free(list->group_start);
     grid_free(&list->grid);
@@ -42,24 +43,19 @@ static size_t write_pairs(const neighbor *list, const uint32_t *members, size_t 
     for (size_t j = 0; j < length; j++)
         for (size_t l = 0; l < KERNEL_LANES; l++) {
             uint32_t partner = list->by_id[begin + j];
-            buffer[KERNEL_LANES * j + l] = partner == members[l] ? (uint32_t)list->n : partner;
+            buffer[KERNEL_LANES * j + l] = capsule_place(partner == members[l] ? list->n : partner, list->flat);
         }
     rows->partners = buffer;
     rows->length = length;
     return begin + length < list->n ? begin + length : 0;
 }
 
-size_t neighbor_rows(const neighbor *list, const body *bodies, size_t group, size_t begin, uint32_t *buffer,
-                     kernel_rows *rows) {
-    const uint32_t *members = list->members + KERNEL_LANES * group;
-    rows->owners = members;
+size_t neighbor_rows(const neighbor *list, size_t group, size_t begin, uint32_t *buffer, kernel_rows *rows) {
+    rows->owners = list->members + KERNEL_LANES * group;
+    rows->lower = list->lower + KERNEL_LANES * group;
     rows->begin = begin;
-    for (size_t l = 0; l < KERNEL_LANES; l++) {
-        uint32_t slot = members[l];
-        rows->lower[l] = slot >= list->n ? 0 : list->listed ? list->middle[slot] : bodies[slot].rank;
-    }
     if (!list->listed)
-        return write_pairs(list, members, begin, buffer, rows);
+        return write_pairs(list, rows->owners, begin, buffer, rows);
     rows->partners = list->lanes + KERNEL_LANES * list->group_start[group];
     rows->length = list->group_start[group + 1] - list->group_start[group];
     return 0;
@@ -150,8 +146,9 @@ static void free_gatherer(gatherer *w) {
     free(w->partners);
 }
 
-/* Enters every pair into the rows of both its bodies: the partners, for now. */
-static void enter_pairs(neighbor *list, const gatherer *parts, int nparts) {
+/* Where each body's row begins; start[n + 1] is the number of entries for now, and start[i + 1] the beginning of row i.
+ */
+static void count_entries(neighbor *list, const gatherer *parts, int nparts) {
     size_t n = list->n, *start = list->start;
     memset(start, 0, (n + 2) * sizeof *start);
     for (int p = 0; p < nparts; p++)
@@ -161,57 +158,46 @@ static void enter_pairs(neighbor *list, const gatherer *parts, int nparts) {
         }
     for (size_t i = 0; i < n; i++)
         start[i + 2] += start[i + 1];
-    if (start[n + 1] > list->entries_capacity) {
-        list->entries_capacity = start[n + 1] + start[n + 1] / 2;
-        list->partners = alloc_resize(list->partners, list->entries_capacity, sizeof *list->partners);
+}
+
+static void reserve_entries(uint32_t **entries, size_t *capacity, size_t wanted) {
+    if (wanted <= *capacity)
+        return;
+    *capacity = wanted + wanted / 2;
+    *entries = alloc_resize(*entries, *capacity, sizeof **entries);
+}
+
+/* Puts rows into the order of the partners' ids, without comparing any: bodies enter themselves into the rows of their
+ * partners, one after another in that order. What a row holds when its own body's turn comes is of lower ids. */
+static void order_rows(neighbor *list, const uint32_t *loose) {
+    const size_t *start = list->start;
+    uint32_t *filled = list->members; /* as free as the room of the loose rows */
+    memset(filled, 0, list->n * sizeof *filled);
+    for (size_t rank = 0; rank < list->n; rank++) {
+        const uint32_t slot = list->by_id[rank];
+        list->middle[slot] = filled[slot];
+        for (size_t i = start[slot]; i < start[slot + 1]; i++) {
+            const uint32_t partner = loose[i];
+            list->partners[start[partner] + filled[partner]++] = slot;
+        }
     }
+}
+
+/* Enters every pair into the rows of both its bodies. */
+static void enter_pairs(neighbor *list, const gatherer *parts, int nparts) {
+    count_entries(list, parts, nparts);
+    size_t *start = list->start, entries = start[list->n + 1];
+    reserve_entries(&list->partners, &list->entries_capacity, entries);
+    reserve_entries(&list->lanes, &list->lanes_capacity, entries);
+    uint32_t *loose = list->lanes; /* free until the rows are written beside each other */
     /* filling moves each start to where the next row begins */
     for (int p = 0; p < nparts; p++)
         for (size_t i = 0; i < parts[p].count; i++) {
             uint32_t a = parts[p].owners[i], b = parts[p].partners[i];
-            list->partners[start[a + 1]++] = b;
-            list->partners[start[b + 1]++] = a;
+            loose[start[a + 1]++] = b;
+            loose[start[b + 1]++] = a;
         }
-}
-
-static int compare_keys(const void *a, const void *b) {
-    uint64_t p = *(const uint64_t *)a, q = *(const uint64_t *)b;
-    return (p > q) - (p < q);
-}
-
-/* Rows are short: insertion beats the library's sort up to some tens of keys. */
-static void sort_keys(uint64_t *keys, size_t n) {
-    if (n > 64) {
-        qsort(keys, n, sizeof *keys, compare_keys);
-        return;
-    }
-    for (size_t i = 1; i < n; i++) {
-        uint64_t key = keys[i];
-        size_t j = i;
-        for (; j > 0 && keys[j - 1] > key; j--)
-            keys[j] = keys[j - 1];
-        keys[j] = key;
-    }
-}
-
-/* Puts rows into the order of the partners' ids. */
-static void sort_rows(neighbor *list, const body *bodies, size_t begin, size_t end) {
-    uint64_t *keys = NULL;
-    size_t capacity = 0;
-    for (size_t slot = begin; slot < end; slot++) {
-        size_t start = list->start[slot], n = list->start[slot + 1] - start;
-        uint32_t *partners = list->partners + start, lower = 0;
-        keys = alloc_grow(keys, &capacity, n, sizeof *keys);
-        for (size_t i = 0; i < n; i++)
-            keys[i] = (uint64_t)bodies[partners[i]].rank << 32 | partners[i];
-        sort_keys(keys, n);
-        for (size_t i = 0; i < n; i++) {
-            lower += keys[i] >> 32 < bodies[slot].rank;
-            partners[i] = (uint32_t)keys[i];
-        }
-        list->middle[slot] = lower;
-    }
-    free(keys);
+    order_rows(list, loose);
 }
 
 /* Rows of more entries than this lie beside each other in any order. */
@@ -236,8 +222,16 @@ static void group_window(neighbor *list, size_t begin, size_t end) {
         list->members[begin + place[lengths[slot - begin]]++] = (uint32_t)slot;
 }
 
+/* How many of a body's partners have lower ids: of all bodies, where rows are of all pairs. */
+static void note_lower(neighbor *list, const body *bodies) {
+    for (size_t i = 0; i < KERNEL_LANES * neighbor_groups(list->n); i++) {
+        const uint32_t slot = list->members[i];
+        list->lower[i] = slot >= list->n ? 0 : list->listed ? list->middle[slot] : bodies[slot].rank;
+    }
+}
+
 /* Which bodies share a group, and where its rows begin. */
-static void group_rows(neighbor *list) {
+static void group_rows(neighbor *list, const body *bodies) {
     size_t n = list->n, groups = neighbor_groups(n);
     for (size_t i = 0; i < KERNEL_LANES * groups; i++)
         list->members[i] = (uint32_t)(i < n ? i : n);
@@ -253,11 +247,8 @@ static void group_rows(neighbor *list) {
         }
         list->group_start[g + 1] = list->group_start[g] + longest;
     }
-    size_t entries = KERNEL_LANES * list->group_start[list->listed ? groups : 0];
-    if (entries > list->lanes_capacity) {
-        list->lanes_capacity = entries + entries / 2;
-        list->lanes = alloc_resize(list->lanes, list->lanes_capacity, sizeof *list->lanes);
-    }
+    reserve_entries(&list->lanes, &list->lanes_capacity, KERNEL_LANES * list->group_start[list->listed ? groups : 0]);
+    note_lower(list, bodies);
 }
 
 /* Writes the rows of groups begin ... end - 1 beside each other. */
@@ -269,7 +260,8 @@ static void write_lanes(neighbor *list, size_t begin, size_t end) {
             uint32_t slot = list->members[KERNEL_LANES * g + l];
             size_t length = slot < list->n ? row_length(list, slot) : 0;
             for (size_t j = 0; j < longest; j++)
-                lanes[KERNEL_LANES * j + l] = j < length ? list->partners[list->start[slot] + j] : (uint32_t)list->n;
+                lanes[KERNEL_LANES * j + l] =
+                    capsule_place(j < length ? list->partners[list->start[slot] + j] : list->n, list->flat);
         }
     }
 }
@@ -283,6 +275,7 @@ static void reserve(neighbor *list) {
     list->by_id = alloc_resize(list->by_id, list->n_capacity, sizeof *list->by_id);
     size_t groups = neighbor_groups(list->n_capacity);
     list->members = alloc_resize(list->members, KERNEL_LANES * groups, sizeof *list->members);
+    list->lower = alloc_resize(list->lower, KERNEL_LANES * groups, sizeof *list->lower);
     list->group_start = alloc_resize(list->group_start, groups + 1, sizeof *list->group_start);
 }
 
@@ -293,7 +286,7 @@ void neighbor_build(neighbor *list, const body *bodies, const void *capsules, do
         list->by_id[bodies[i].rank] = (uint32_t)i;
     list->listed = list->method == NEIGHBOR_CELLS || list->chained;
     if (!list->listed) {
-        group_rows(list);
+        group_rows(list, bodies);
         return;
     }
     bool all = list->method == NEIGHBOR_PAIRS;
@@ -321,10 +314,7 @@ void neighbor_build(neighbor *list, const body *bodies, const void *capsules, do
             gather(w, list->n * (size_t)p / (size_t)threads, list->n * ((size_t)p + 1) / (size_t)threads);
     }
     enter_pairs(list, parts, threads);
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-    for (int p = 0; p < threads; p++)
-        sort_rows(list, bodies, list->n * (size_t)p / (size_t)threads, list->n * ((size_t)p + 1) / (size_t)threads);
-    group_rows(list);
+    group_rows(list, bodies);
     size_t groups = neighbor_groups(list->n);
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
     for (int p = 0; p < threads; p++)

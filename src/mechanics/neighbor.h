@@ -33,7 +33,8 @@ typedef struct neighbor {
     uint32_t *by_id;    /* slots in the order of ids (n): the rows of the all-pairs method */
     /* The same for the kernel: rows of about one length beside each other, filled up with n, which is no body. */
     uint32_t *members;   /* (groups x KERNEL_LANES) slots of a group's owners */
-    uint32_t *lanes;     /* (group_start[groups] x KERNEL_LANES) their partners */
+    double *lower;       /* (groups x KERNEL_LANES) how many of their partners have lower ids */
+    uint32_t *lanes;     /* (group_start[groups] x KERNEL_LANES) their partners: where these capsules begin */
     size_t *group_start; /* (groups + 1) */
     size_t entries_capacity, lanes_capacity, n_capacity;
     grid grid;
@@ -62,8 +63,7 @@ static inline size_t neighbor_groups(size_t n) {
  * (NEIGHBOR_BLOCK x KERNEL_LANES) holds for the all-pairs method. Returns where the next call begins; 0: that was all.
  * The slot n is no body: its capsule is nowhere. */
 enum { NEIGHBOR_BLOCK = 32 };
-size_t neighbor_rows(const neighbor *list, const body *bodies, size_t group, size_t begin, uint32_t *buffer,
-                     kernel_rows *rows);
+size_t neighbor_rows(const neighbor *list, size_t group, size_t begin, uint32_t *buffer, kernel_rows *rows);
 
 static inline neighbor_row neighbor_get(const neighbor *list, const body *bodies, size_t slot) {
     if (!list->listed) {

@@ -12,12 +12,13 @@ void mechanics_memory(const mechanics *m, mechanics_part parts[MECHANICS_PARTS])
         {"chains", m->chain_capacity * sizeof *m->chains + m->share_capacity * sizeof *m->shares},
         {"capsules",
          m->capsule_capacity * (capsule_size(m->flat) + 2 * (size_t)state_dimensions(m) * sizeof *m->built_at)},
-        {"neighbours", (list->entries_capacity + list->lanes_capacity) * sizeof(uint32_t) +
-                           list->n_capacity * (sizeof *list->start + 3 * sizeof(uint32_t)) +
-                           neighbor_groups(list->n_capacity) * sizeof *list->group_start +
-                           list->grid.places_capacity * sizeof *list->grid.places +
-                           list->grid.boxes_capacity * sizeof *list->grid.boxes +
-                           list->grid.rows_capacity * sizeof *list->grid.rows},
+        {"neighbours",
+         (list->entries_capacity + list->lanes_capacity) * sizeof(uint32_t) +
+             list->n_capacity * (sizeof *list->start + 2 * sizeof(uint32_t)) +
+             neighbor_groups(list->n_capacity) *
+                 (sizeof *list->group_start + KERNEL_LANES * (sizeof *list->members + sizeof *list->lower)) +
+             list->grid.places_capacity * sizeof *list->grid.places +
+             list->grid.boxes_capacity * sizeof *list->grid.boxes + list->grid.rows_capacity * sizeof *list->grid.rows},
         {"spring index",
          m->springs.ends_capacity * sizeof *m->springs.ends + m->springs.start_capacity * sizeof *m->springs.start},
         {"stiffness", m->stiff.capacity * sizeof *m->stiff.list + m->start_capacity * sizeof *m->start},

@@ -106,7 +106,7 @@ static void sum_group(const force_frame *at, const contact_law_values *law, size
     bool coincident = false;
     size_t begin = 0;
     do {
-        begin = neighbor_rows(at->neighbor, at->bodies, group, begin, buffer, rows);
+        begin = neighbor_rows(at->neighbor, group, begin, buffer, rows);
         coincident |= at->kernel->rows[at->cocci][at->flat](law, rows, sums);
     } while (begin);
     for (size_t l = 0; coincident && l < KERNEL_LANES; l++)
