@@ -54,8 +54,9 @@ static void stop_waiting(logfile *l) {
 }
 
 static void close_file(logfile *l) {
-    if (l->file)
-        fclose(l->file);
+    bool lost = l->file && ferror(l->file);
+    if ((l->file && fclose(l->file)) || lost)
+        fputs("sarcina: warning: the log is cut short: not all of it could be written\n", stderr);
     l->file = NULL;
 }
 

@@ -142,8 +142,8 @@ static int run_program(const options *o) {
             program_complain(&d);
         interp_free(in);
     }
-    program_free(&p);
-    return status;
+    int closed = program_free(&p);
+    return status ? status : closed;
 }
 
 int main(int argc, char **argv) {
@@ -163,5 +163,6 @@ int main(int argc, char **argv) {
         status = run_program(&o);
     }
     options_free(&o);
-    return status;
+    bool whole = program_close_screen(stdout);
+    return whole || status ? status : SARCINA_ERROR;
 }

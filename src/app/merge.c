@@ -209,7 +209,7 @@ static void put_groups(FILE *out, const plan *p, const gathered *g, put_group *p
 }
 
 static int close_table(FILE *out, char *path, diag *d) {
-    int status = fclose(out) == 0 ? SARCINA_OK : path_error(path, d);
+    int status = path_close(out, path, d);
     free(path);
     return status;
 }

@@ -278,8 +278,9 @@ int plan_mark_done(const plan *p, const plan_run *r, diag *d) {
     int status = f ? SARCINA_OK : SARCINA_ERROR;
     if (f) {
         fprintf(f, "%s\nseconds %.3f\n", p->tag, r->seconds);
-        bool written = fclose(f) == 0 && rename(beside, path) == 0;
-        status = written ? SARCINA_OK : path_error(path, d);
+        status = path_close(f, beside, d);
+        if (!status && rename(beside, path))
+            status = path_error(path, d);
     }
     free(path);
     free(beside);

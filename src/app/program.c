@@ -284,14 +284,24 @@ int program_create(program *p, const options *o, diag *d) {
     return SARCINA_OK;
 }
 
-void program_free(program *p) {
+bool program_close_screen(FILE *screen) {
+    bool lost = ferror(screen) != 0;
+    if (fclose(screen) == 0 && !lost)
+        return true;
+    fputs("sarcina: error: not all that was printed could be written\n", stderr);
+    return false;
+}
+
+int program_free(program *p) {
+    bool whole = true;
     command_table_free(p->commands);
     units_free(p->units);
     free(p->library);
     logfile_end(&p->log, 0);
     if (p->screen && p->screen != stdout)
-        fclose(p->screen);
+        whole = program_close_screen(p->screen);
     *p = (program){0};
+    return whole ? SARCINA_OK : SARCINA_ERROR;
 }
 
 void program_end(program *p, interp *in) {

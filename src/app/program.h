@@ -22,7 +22,13 @@ typedef struct program {
 
 /* Sets up everything from the command line. On an error nothing is left to free. */
 int program_create(program *p, const options *o, diag *d);
-void program_free(program *p);
+
+/* Closes log and screen, and frees; SARCINA_ERROR, said on standard error, where the screen's text was lost. */
+int program_free(program *p);
+
+/* Closes what was printed to: false, said on standard error, where some of it was lost (a full disk), for then the
+ * program has not done what it was asked to. */
+bool program_close_screen(FILE *screen);
 
 /* The end of what there was to do: a word on warnings, and the end of the log. */
 void program_end(program *p, interp *in);

@@ -76,8 +76,8 @@ static int write_curves(const study *s, const char *folder, const char *name, co
             }
             fputs("\n\n", out);
         }
-    if (out && fclose(out))
-        status = path_error(path, d);
+    if (out)
+        status = path_close(out, path, d);
     free(path);
     return status;
 }
@@ -103,8 +103,7 @@ static int write_claims(const study *s, const char *folder, diag *d) {
                         c->b);
         }
         free(all);
-        if (fclose(out))
-            status = path_error(path, d);
+        status = path_close(out, path, d);
     }
     free(path);
     return status;
@@ -161,12 +160,7 @@ static int plot(const char *folder, diag *d) {
     put_curves_plot(out, "fig3_cells", "cells", "set logscale x\nset xrange [10:400]\n");
     put_claims_plot(out);
     fclose(out);
-    process *p = process_open(words, d);
-    int status = p ? process_write(p, text, length, d) : SARCINA_ERROR;
-    if (p) {
-        int ended = process_close(p, status ? NULL : d);
-        status = status ? status : ended;
-    }
+    int status = process_run(words, text, length, d);
     free(text);
     return status;
 }
@@ -207,8 +201,8 @@ static int copy_picture(const char *from, const char *to, diag *d) {
     for (size_t n; out && (n = fread(bytes, 1, sizeof bytes, in)) > 0;)
         fwrite(bytes, 1, n, out);
     fclose(in);
-    if (out && fclose(out))
-        status = path_error(to, d);
+    if (out)
+        status = path_close(out, to, d);
     return status;
 }
 

@@ -251,10 +251,10 @@ int study_laws_report(const char *folder, const char *results, diag *d) {
         put(&r, first, second);
     else
         status = SARCINA_ERROR;
-    if (first && fclose(first))
-        status = path_error(text, d);
-    if (second && fclose(second))
-        status = path_error(table, d);
+    if (first && path_close(first, text, d))
+        status = SARCINA_ERROR;
+    if (second && path_close(second, table, d))
+        status = SARCINA_ERROR;
     free(text);
     free(table);
     free(r.rows);

@@ -82,7 +82,7 @@ int study_report_csv(const study *s, const char *path, diag *d) {
         for (size_t k = 0; k < study_quantity_count && s->cases[i].n; k++)
             if (study_quantities[k].family == study_cases[i].family)
                 put_csv_row(out, s, &study_cases[i], &study_quantities[k]);
-    return fclose(out) == 0 ? SARCINA_OK : path_error(path, d);
+    return path_close(out, path, d);
 }
 
 /* ---- tables of RESULTS.md ---- */
@@ -383,7 +383,7 @@ int study_report_text(const study *s, const char *template, const char *path, di
     FILE *out = path_open(path, "w", d);
     int status = out ? fill(s, in, template, out, d) : SARCINA_ERROR;
     fclose(in);
-    if (out && fclose(out) && !status)
-        status = path_error(path, d);
+    if (out && path_close(out, path, status ? NULL : d))
+        status = SARCINA_ERROR;
     return status;
 }

@@ -73,3 +73,8 @@ FILE *path_open(const char *path, const char *mode, diag *d) {
         path_error(path, d);
     return f;
 }
+
+int path_close(FILE *f, const char *path, diag *d) {
+    bool lost = ferror(f) != 0; /* errno is that of the write before */
+    return fclose(f) == 0 && !lost ? SARCINA_OK : path_error(path, d);
+}

@@ -16,6 +16,9 @@ int path_make_folders(const char *path, diag *d);
 /* Opens a file to write ("w", "a", "wb" ...), making its folders. NULL: d says why. */
 FILE *path_open(const char *path, const char *mode, diag *d);
 
+/* Closes a file that was written to; an error where any of it was lost, now or before (a full disk). */
+int path_close(FILE *f, const char *path, diag *d);
+
 /* The error of a file that cannot be written, from errno. */
 int path_error(const char *path, diag *d);
 

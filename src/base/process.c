@@ -42,12 +42,19 @@ static int start(const char *const *words, int input, bool silent, pid_t *id) {
     return error;
 }
 
+/* Its end, as waitpid(2) says it: a signal to us (Ctrl-C) does not end the wait. */
+static int wait_for(pid_t id) {
+    int status = 0;
+    while (waitpid(id, &status, 0) < 0 && errno == EINTR)
+        ;
+    return status;
+}
+
 int process_check(const char *name, const char *package, diag *d) {
     const char *const words[] = {name, "-version", NULL};
     pid_t id;
     if (start(words, -1, true, &id) == 0) {
-        int status;
-        waitpid(id, &status, 0);
+        int status = wait_for(id);
         if (!WIFEXITED(status) || WEXITSTATUS(status) != 127) /* how some systems say that there is none */
             return SARCINA_OK;
     }
@@ -92,13 +99,20 @@ int process_write(process *p, const void *bytes, size_t n, diag *d) {
 int process_close(process *p, diag *d) {
     if (!p)
         return SARCINA_OK;
-    int status = 0, result = SARCINA_OK;
+    int result = SARCINA_OK;
     close(p->input);
-    while (waitpid(p->id, &status, 0) < 0 && errno == EINTR)
-        ;
+    int status = wait_for(p->id);
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
         result = diag_error(d, "%s failed", p->name);
     free(p->name);
     free(p);
     return result;
+}
+
+int process_run(const char *const *words, const void *bytes, size_t n, diag *d) {
+    process *p = process_open(words, d);
+    if (!p)
+        return SARCINA_ERROR;
+    int status = process_write(p, bytes, n, d);
+    return process_close(p, status ? NULL : d) ? SARCINA_ERROR : status;
 }

@@ -23,4 +23,7 @@ int process_write(process *p, const void *bytes, size_t n, diag *d);
 /* The end of its input: waits for it, and frees. An error when it failed; NULL is allowed. */
 int process_close(process *p, diag *d);
 
+/* All three: starts it, gives it these bytes and waits for its end. */
+int process_run(const char *const *words, const void *bytes, size_t n, diag *d);
+
 #endif

@@ -226,9 +226,7 @@ static int write_file(const output_bins *b, const bins *k, const scene *s, diag 
     if (out) {
         put_header(b, false, out);
         put_rows(b, k, s, false, out);
-        bool failed = ferror(out) != 0;
-        if (fclose(out) || failed)
-            status = path_error(name, d);
+        status = path_close(out, name, d);
     }
     free(name);
     return status;

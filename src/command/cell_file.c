@@ -387,7 +387,5 @@ int cell_file_write(interp *in, const char *path, diag *d) {
     for (size_t i = 0; i < c->count; i++)
         write_cell(f, s, order[i], &e);
     link_file_write(f, s);
-    bool good = !ferror(f);
-    good = fclose(f) == 0 && good;
-    return good ? SARCINA_OK : path_error(path, d);
+    return path_close(f, path, d);
 }

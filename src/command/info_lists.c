@@ -27,7 +27,7 @@ static void show_groups(interp *in) {
 }
 
 static void show_regions(interp *in) {
-    static const char *const kinds[] = {"block", "sphere", "cylinder", "plane"};
+    static const char *const kinds[] = {"block", "sphere", "cylinder", "plane"}, *const axes[] = {" x", " y", " z"};
     static const int numbers[] = {6, 4, 5, 6};
     const scene *s = interp_scene(in);
     for (size_t i = 0; i < s->regions.count; i++) {
@@ -35,9 +35,8 @@ static void show_regions(interp *in) {
         char text[200] = "";
         for (int k = 0, used = 0; k < numbers[r->kind]; k++)
             used += snprintf(text + used, sizeof text - (size_t)used, " %g", r->p[k]);
-        interp_print(in, "region      %s: %s%s%.1s%s%s (um)", r->name, kinds[r->kind],
-                     r->kind == REGION_CYLINDER ? " " : "", r->kind == REGION_CYLINDER ? &"xyz"[r->axis] : "", text,
-                     r->outside ? " side out" : "");
+        interp_print(in, "region      %s: %s%s%s%s (um)", r->name, kinds[r->kind],
+                     r->kind == REGION_CYLINDER ? axes[r->axis] : "", text, r->outside ? " side out" : "");
     }
     for (size_t i = 0; i < s->attachments.count; i++) {
         const attachment *a = &s->attachments.list[i];

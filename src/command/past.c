@@ -290,5 +290,6 @@ int past_save(interp *in, const char *path, size_t *lines, diag *d) {
     for (size_t i = first; i < p->n; i++)
         fprintf(f, "%s\n", p->list[i].text);
     *lines = p->n - first + (first > 0);
-    return fclose(f) && !status ? path_error(path, d) : status;
+    int closed = path_close(f, path, status ? NULL : d);
+    return status ? status : closed;
 }

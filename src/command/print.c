@@ -5,20 +5,17 @@
 #include "base/path.h"
 #include "base/table.h"
 
-#include <errno.h>
 #include <stdio.h>
-#include <string.h>
 
 static int write_file(const args *a, const char *key, const char *mode, const char *text, diag *d) {
     if (!args_given(a, key))
         return SARCINA_OK;
     const char *path = args_text(a, key);
     FILE *f = path_open(path, mode, d);
-    bool written = f && fprintf(f, "%s\n", text) >= 0;
-    if (f && fclose(f) == 0 && written)
-        return SARCINA_OK;
     if (f)
-        path_error(path, d);
+        fprintf(f, "%s\n", text);
+    if (f && path_close(f, path, d) == SARCINA_OK)
+        return SARCINA_OK;
     diag_place(d, args_span(a, key));
     return SARCINA_ERROR;
 }

@@ -155,5 +155,5 @@ int results_scalars(interp *in, diag *d) {
         put_quantity(out, name, q.d);
         put_number(out, q.si);
     }
-    return fclose(out) == 0 ? SARCINA_OK : path_error("scalars.csv", d);
+    return path_close(out, "scalars.csv", d);
 }

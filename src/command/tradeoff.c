@@ -174,7 +174,7 @@ static int write_file(const char *path, const tradeoff_result *r, diag *d) {
     if (!f)
         return SARCINA_ERROR;
     tradeoff_table_write(f, r);
-    return fclose(f) ? path_error(path, d) : SARCINA_OK;
+    return path_close(f, path, d);
 }
 
 static int draw(interp *in, const char *path, const tradeoff_result *r, diag *d) {

@@ -12,6 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #define MAGIC "sarcina restart 1\n"
@@ -107,13 +108,19 @@ static bool write_blocks(const archive *a, FILE *f) {
         good = fprintf(f, "%s %zu %016" PRIx64 "\n", b->name, b->n, hash_bytes(HASH_BEGIN, b->data->bytes, b->n)) > 0 &&
                fwrite(b->data->bytes, 1, b->n, f) == b->n && fputc('\n', f) != EOF;
     }
-    return good && fprintf(f, "end 0 0\n") > 0 && fflush(f) == 0 && fsync(fileno(f)) == 0;
+    return good && fprintf(f, "end 0 0\n") > 0 && fflush(f) == 0;
 }
 
-int archive_write(const archive *a, const char *path, diag *d) {
+/* Not a device or a pipe: those are written to, and nothing takes their place. */
+static bool can_be_replaced(const char *path) {
+    struct stat there;
+    return stat(path, &there) != 0 || S_ISREG(there.st_mode);
+}
+
+static int write_beside(const archive *a, const char *path, diag *d) {
     char *temporary = alloc_format("%s.part", path);
-    FILE *f = path_make_folders(path, d) ? NULL : fopen(temporary, "wb");
-    bool good = f && write_blocks(a, f);
+    FILE *f = fopen(temporary, "wb");
+    bool good = f && write_blocks(a, f) && fsync(fileno(f)) == 0;
     if (f)
         good = fclose(f) == 0 && good;
     good = good && rename(temporary, path) == 0;
@@ -122,6 +129,18 @@ int archive_write(const archive *a, const char *path, diag *d) {
         remove(temporary);
     free(temporary);
     return status;
+}
+
+int archive_write(const archive *a, const char *path, diag *d) {
+    if (path_make_folders(path, d))
+        return SARCINA_ERROR;
+    if (can_be_replaced(path))
+        return write_beside(a, path, d);
+    FILE *f = path_open(path, "wb", d);
+    if (!f)
+        return SARCINA_ERROR;
+    write_blocks(a, f);
+    return path_close(f, path, d);
 }
 
 /* One block from f; *last at the end mark. False: the file is cut short or damaged. */

@@ -29,7 +29,8 @@ bool archive_share(archive *a, const archive *b);
 /* Memory it occupies, bytes; of a block that others have too its part. */
 size_t archive_bytes(const archive *a);
 
-/* Writes the file by way of a temporary one beside it, so that a failure leaves what was there. */
+/* Writes the file by way of a temporary one beside it, so that a failure leaves what was there; a device or pipe of
+ * that name is written to as it is. */
 int archive_write(const archive *a, const char *path, diag *d);
 
 /* Reads a whole file; *out is the caller's to free. */

@@ -112,8 +112,8 @@ static int write_index(const collection *c, diag *d) {
             fprintf(f, "<DataSet timestep=\"%s\" part=\"0\" file=\"%s\"/>\n", field_number(c->list[i].time, digits),
                     c->list[i].file);
         fputs("</Collection>\n</VTKFile>\n", f);
-        bool failed = ferror(f) != 0;
-        if (fclose(f) || failed || rename(beside, c->path))
+        status = path_close(f, beside, d);
+        if (!status && rename(beside, c->path))
             status = path_error(c->path, d);
     }
     free(beside);

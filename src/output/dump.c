@@ -147,10 +147,8 @@ static int write_text(const dump_frame *f, const char *path, int (*write)(const 
     if (!out)
         return SARCINA_ERROR;
     int status = write(f, out, d);
-    bool failed = ferror(out) != 0;
-    if ((fclose(out) || failed) && !status)
-        status = path_error(path, d);
-    return status;
+    int closed = path_close(out, path, status ? NULL : d);
+    return status ? status : closed;
 }
 
 int dump_write_now(int style, const char *path, const dump_frame *f, diag *d) {

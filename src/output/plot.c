@@ -330,11 +330,8 @@ int plot_draw(const plot_diagram *p, const char *path, diag *d) {
     static const char *const words[] = {"gnuplot", "-", NULL};
     if (path_make_folders(path, d))
         return SARCINA_ERROR;
-    process *gnuplot = process_open(words, d);
-    if (!gnuplot)
-        return SARCINA_ERROR;
     char *script = plot_script(p, path);
-    int status = process_write(gnuplot, script, strlen(script), d);
+    int status = process_run(words, script, strlen(script), d);
     free(script);
-    return process_close(gnuplot, status ? NULL : d) ? SARCINA_ERROR : status;
+    return status;
 }
