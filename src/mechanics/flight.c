@@ -17,13 +17,13 @@
 
 #include "base/alloc.h"
 #include "base/vec3.h"
+#include "mechanics/banded.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Four consecutive particles are the most that a spring touches: 12 coordinates, the diagonal included. */
-enum { BAND = 12, ITERATIONS = 30, HALVINGS = 12 };
+enum { ITERATIONS = 30, HALVINGS = 12 };
 
 /* An iteration that moves no particle by more than this many radii is the last. */
 static const double tolerance = 1e-4;
@@ -42,7 +42,7 @@ typedef struct flight {
     double *x;                      /* the trial state: rows of the chain in at.x */
     double *f;                      /* and of the forces there */
     double *gradient, *move, *from; /* (n) */
-    double *matrix;                 /* (n x BAND): row i holds columns i - BAND + 1 ... i */
+    double *matrix;                 /* (n x BANDED_WIDTH): no spring touches more than four consecutive particles */
     stiff_list *springs;
 } flight;
 
@@ -80,7 +80,7 @@ static void add_to_matrix(flight *w, const stiff_spring *s) {
                    column = 3 * (size_t)(s->particle[b] - w->c->first);
             for (size_t i = 0; i < 3; i++)
                 for (size_t j = 0; j < 3 && column + j <= row + i; j++)
-                    w->matrix[(row + i) * BAND + (column + j + BAND - 1 - row - i)] += s->k * s->g[a][i] * s->g[b][j];
+                    *banded_at(w->matrix, row + i, column + j) += s->k * s->g[a][i] * s->g[b][j];
         }
 }
 
@@ -90,38 +90,19 @@ static void find_matrix(flight *w) {
     for (int term = 0; term < FORCE_COUNT; term++)
         if (is_within(w->m, term))
             force_styles[term]->stiffness_chain(w->m->forces.term[term].p, &w->at, index, w->springs);
-    memset(w->matrix, 0, w->n * BAND * sizeof *w->matrix);
+    memset(w->matrix, 0, w->n * BANDED_WIDTH * sizeof *w->matrix);
     for (size_t i = 0; i < w->n; i++)
-        w->matrix[i * BAND + BAND - 1] = w->heavy[i];
+        *banded_at(w->matrix, i, i) = w->heavy[i];
     for (size_t i = 0; i < w->springs->count; i++)
         add_to_matrix(w, &w->springs->list[i]);
 }
 
-/* Cholesky: matrix = L L', in place; then move = -matrix^-1 gradient. Positive definite: heavy is positive. */
+/* move = -matrix^-1 gradient. Positive definite: heavy is positive. */
 static void solve(flight *w) {
-    for (size_t i = 0; i < w->n; i++) {
-        double *row = w->matrix + i * BAND;
-        size_t first = i < BAND - 1 ? 0 : i - (BAND - 1);
-        double rest = -w->gradient[i];
-        for (size_t j = first; j <= i; j++) {
-            const double *other = w->matrix + j * BAND;
-            double sum = row[j + BAND - 1 - i];
-            for (size_t k = first; k < j; k++)
-                if (k + BAND > j)
-                    sum -= row[k + BAND - 1 - i] * other[k + BAND - 1 - j];
-            row[j + BAND - 1 - i] = j < i ? sum / other[BAND - 1] : sqrt(sum);
-            if (j < i)
-                rest -= row[j + BAND - 1 - i] * w->move[j];
-        }
-        w->move[i] = rest / row[BAND - 1];
-    }
-    for (size_t i = w->n; i-- > 0;) {
-        const double *row = w->matrix + i * BAND;
-        w->move[i] /= row[BAND - 1];
-        size_t first = i < BAND - 1 ? 0 : i - (BAND - 1);
-        for (size_t j = first; j < i; j++)
-            w->move[j] -= row[j + BAND - 1 - i] * w->move[i];
-    }
+    banded_factor(w->matrix, w->n);
+    for (size_t i = 0; i < w->n; i++)
+        w->move[i] = -w->gradient[i];
+    banded_solve(w->matrix, w->n, w->move, w->move);
 }
 
 static double largest_move(const flight *w) {
@@ -239,7 +220,7 @@ mechanics_hits mechanics_flight(mechanics *m, double h, double *x, double *v) {
     double *trial = alloc_zeroed(3 * m->nparticles, sizeof *trial), *forces = m->scratch;
 #pragma omp parallel num_threads(state_threads(m))
     {
-        workspace space = {.memory = alloc_zeroed((5 + BAND) * 3 * longest, sizeof(double))};
+        workspace space = {.memory = alloc_zeroed((5 + BANDED_WIDTH) * 3 * longest, sizeof(double))};
 #pragma omp for schedule(static) reduction(+ : held, unsolved)
         for (size_t i = 0; i < m->nchains; i++) {
             mechanics_hits hits = fly(m, &m->chains[i], h, trial, forces, &space, x, v);

@@ -2,27 +2,24 @@
 #include "mechanics/tangent.h"
 
 #include "base/alloc.h"
+#include "mechanics/banded.h"
 #include "mechanics/dimensions.h"
 #include "mechanics/state.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* A row of the blocks: 12 coordinates, the diagonal last. */
-enum { BAND = 12 };
 
 struct tangent {
     mechanics *m;
     stiff_list springs;
-    double *matrix; /* (3 nparticles x BAND): row i holds columns i - BAND + 1 ... i; factorised in place */
+    double *matrix; /* (nparticles x dimensions x BANDED_WIDTH): the cells' blocks, factorised in place */
 };
 
 tangent *tangent_create(mechanics *m) {
     tangent *t = alloc_zeroed(1, sizeof *t);
     t->m = m;
     t->springs.curved = true;
-    t->matrix = alloc_zeroed(state_components(m) * BAND, sizeof *t->matrix);
+    t->matrix = alloc_zeroed(state_components(m) * BANDED_WIDTH, sizeof *t->matrix);
     return t;
 }
 
@@ -81,7 +78,7 @@ static void add_block(tangent *t, uint32_t row, uint32_t column, double k, const
     for (size_t i = 0; i < width; i++) {
         size_t r = width * row + i, first = width * column;
         for (size_t j = 0; j < width && first + j <= r; j++)
-            t->matrix[r * BAND + (first + j + BAND - 1 - r)] += k * a[i] * b[j];
+            *banded_at(t->matrix, r, first + j) += k * a[i] * b[j];
     }
 }
 
@@ -116,59 +113,26 @@ static void add_pull(tangent *t, const stiff_spring *s) {
     }
 }
 
-/* Cholesky of rows begin ... end - 1: matrix = L L', in place. A pivot that rounding has eaten is put back. */
-static void factor_rows(tangent *t, size_t begin, size_t end) {
-    static const double least = 1e-14;
-    for (size_t i = begin; i < end; i++) {
-        double *row = t->matrix + i * BAND, diagonal = row[BAND - 1];
-        size_t first = i - begin < BAND - 1 ? begin : i - (BAND - 1);
-        for (size_t j = first; j <= i; j++) {
-            const double *other = t->matrix + j * BAND;
-            double sum = row[j + BAND - 1 - i];
-            for (size_t k = first; k < j; k++)
-                if (k + BAND > j)
-                    sum -= row[k + BAND - 1 - i] * other[k + BAND - 1 - j];
-            row[j + BAND - 1 - i] = j < i ? sum / other[BAND - 1] : sqrt(fmax(sum, least * diagonal));
-        }
-    }
-}
-
 void tangent_factor(tangent *t, double shift) {
     const size_t n = state_components(t->m), width = (size_t)state_dimensions(t->m);
     const cell_columns *cells = &t->m->colony->cell;
-    memset(t->matrix, 0, n * BAND * sizeof *t->matrix);
+    memset(t->matrix, 0, n * BANDED_WIDTH * sizeof *t->matrix);
     for (size_t i = 0; i < n; i++)
-        t->matrix[i * BAND + BAND - 1] = shift;
+        *banded_at(t->matrix, i, i) = shift;
     for (size_t i = 0; i < t->springs.count; i++) {
         add_spring(t, &t->springs.list[i]);
         if (t->springs.list[i].pull > 0)
             add_pull(t, &t->springs.list[i]);
     }
     for (size_t c = 0; c < cells->count; c++)
-        factor_rows(t, width * cells->first[c], width * (cells->first[c] + cells->nparticles[c]));
-}
-
-static void solve_rows(const tangent *t, size_t begin, size_t end, const double *y, double *out) {
-    for (size_t i = begin; i < end; i++) {
-        const double *row = t->matrix + i * BAND;
-        size_t first = i - begin < BAND - 1 ? begin : i - (BAND - 1);
-        double rest = y[i];
-        for (size_t j = first; j < i; j++)
-            rest -= row[j + BAND - 1 - i] * out[j];
-        out[i] = rest / row[BAND - 1];
-    }
-    for (size_t i = end; i-- > begin;) {
-        const double *row = t->matrix + i * BAND;
-        size_t first = i - begin < BAND - 1 ? begin : i - (BAND - 1);
-        out[i] /= row[BAND - 1];
-        for (size_t j = first; j < i; j++)
-            out[j] -= row[j + BAND - 1 - i] * out[i];
-    }
+        banded_factor(t->matrix + BANDED_WIDTH * width * cells->first[c], width * cells->nparticles[c]);
 }
 
 void tangent_solve(const tangent *t, const double *y, double *out) {
     const cell_columns *cells = &t->m->colony->cell;
     const size_t width = (size_t)state_dimensions(t->m);
-    for (size_t c = 0; c < cells->count; c++)
-        solve_rows(t, width * cells->first[c], width * (cells->first[c] + cells->nparticles[c]), y, out);
+    for (size_t c = 0; c < cells->count; c++) {
+        size_t first = width * cells->first[c];
+        banded_solve(t->matrix + BANDED_WIDTH * first, width * cells->nparticles[c], y + first, out + first);
+    }
 }
