@@ -147,7 +147,11 @@ void command_settings(command_table *t) {
     const command_form integrator = {
         .details = "For those who want more than 'accuracy' offers; the last of both counts. What "
                    "each costs and how exact it is, measured, and which were tried and left "
-                   "out: help methods.",
+                   "out: help methods.\n\n"
+                   "Velocities (vx, speed, energy.kinetic) are those at the end of the relaxation by every method. "
+                   "Verlet and euler solve damping exactly: a cell that a steady force F drives through the liquid has "
+                   "F/k, k its drag, however long the steps are beside mass/k. Dormand-Prince's tolerance bounds the "
+                   "error of a step, in um/s; newton leaves all cells at rest.",
         .example = "integrator verlet step 1ms\nintegrator verlet inertia 0.1\nintegrator "
                    "euler\nintegrator rk4\nintegrator rkf45\nintegrator "
                    "rk8pd\nintegrator bs32\nintegrator dopri5 tol 1e-3\nintegrator newton\nrelax to 1e-19N",

@@ -48,11 +48,9 @@ typedef struct kernel_batch {
 enum { KERNEL_SEGMENTS, KERNEL_SPHERES }; /* what touches: contact_kernel.contact[...] */
 enum { KERNEL_SPACE, KERNEL_PLANE };      /* [...][...] */
 
-/* All components of a state on their way through a step: a kick of `weight` times the half of one, and a damped flight.
- */
+/* All components of a state on their way through a step: a kick and a damped flight. */
 typedef struct kernel_flight {
-    double weight;
-    const double *kick, *decay, *flight; /* per component: h / (2 m), exp(-g h), (1 - exp(-g h)) / g */
+    const double *kick, *decay, *flight; /* per component: s/pg, exp(-g h), (1 - exp(-g h)) / g */
     const double *x0, *v0, *force;       /* where it starts */
     double *x, *v;                       /* where it ends */
     double near;                         /* um: changes of a component no larger than this are not counted */

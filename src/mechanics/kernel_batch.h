@@ -82,12 +82,12 @@ static void exponential_less_one(size_t n, const double *x, double *y) {
 }
 
 /* Compilers believe `restrict` of parameters, and need it to compute several components at once. */
-static size_t fly_apart(size_t n, double weight, double near, const double *restrict kick, const double *restrict decay,
+static size_t fly_apart(size_t n, double near, const double *restrict kick, const double *restrict decay,
                         const double *restrict flight, const double *restrict x0, const double *restrict v0,
                         const double *restrict f, double *restrict x, double *restrict v) {
     size_t far = 0;
     for (size_t i = 0; i < n; i++) {
-        double kicked = v0[i] + weight * kick[i] * f[i];
+        double kicked = v0[i] + kick[i] * f[i];
         double moved = x0[i] + flight[i] * kicked;
         x[i] = moved;
         v[i] = decay[i] * kicked;
@@ -97,7 +97,7 @@ static size_t fly_apart(size_t n, double weight, double near, const double *rest
 }
 
 static size_t fly(size_t n, const kernel_flight *q) {
-    return fly_apart(n, q->weight, q->near, q->kick, q->decay, q->flight, q->x0, q->v0, q->force, q->x, q->v);
+    return fly_apart(n, q->near, q->kick, q->decay, q->flight, q->x0, q->v0, q->force, q->x, q->v);
 }
 
 static size_t kick(size_t n, double weight, const double *restrict by, const double *restrict before,

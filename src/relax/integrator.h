@@ -27,6 +27,9 @@ typedef struct integrator_style {
     int (*step)(void *self, motion *mo, double t1, diag *d);
     /* Undamped forces (n x dimensions) at the present state where it has them, NULL where not; optional. */
     const double *(*force)(const void *self);
+    /* Once the relaxation is over: gives the motion the velocities of its time, where the method's steps hold those of
+     * another; optional. */
+    void (*finish)(void *self, motion *mo);
     /* Forgets its history, the step included: between segments. */
     void (*reset)(void *self);
     /* Links have changed: the forces at the present state are not what they were. Keeps the step; stiffness (1/s2): a

@@ -193,6 +193,8 @@ int relax_run(mechanics *m, const relax_settings *how, const relax_goal *goal, r
     r.method = r.style->create(r.style, how, &r.mo);
     r.scratch = goal->force > 0 ? alloc_zeroed(r.mo.components, sizeof *r.scratch) : NULL;
     status = (r.minimises ? descend : advance)(&r, d);
+    if (r.style->finish)
+        r.style->finish(r.method, &r.mo);
     mechanics_return_state(m);
     report(&r.mo, r.result);
     r.style->destroy(r.method);

@@ -1,10 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Splittings that solve damped flight exactly and take their step from the present stiffness.
  *
- * Velocity Verlet: kick h/2, flight h, kick h/2, with g = k_d / m:
- *     v += h/2 F/m;  x += v (1 - exp(-g h))/g, v *= exp(-g h);  v += h/2 F/m
+ * Velocity Verlet: kick, flight h, kick, with g = k_d / m, E = exp(-g h):
+ *     v += A F/m;  x += v (1 - E)/g, v *= E;  v += B F/m
  * Semi-implicit Euler: kick h, flight h. Flight taken exactly (instead of drift, damp, drift: the same to (g h)^2/12)
  * makes both right where damping is fast, too: x moves by h F/k_d then, whatever the mass.
+ *
+ * The kicks of a step come to h: A = h/(1 - E) - 1/g, B = h - A. Without damping both are h/2; where it is fast B is
+ * 1/g, and a cell that a force drives through the liquid has the velocity F/k_d. Under a constant force x and v are
+ * exact for any h (a step of the exponential integrators: Hochbruck & Ostermann 2010, Acta Numerica 19:209). With h/2
+ * twice x would be the same, but v h F/2m: more than F/k_d by (g h/2) coth(g h/2). Euler's velocity is that of the
+ * flight, before the force there has acted; once the relaxation is over it gets B F/m, too.
  *
  * Flexible cells may be far too stiff within for such steps: their flight is implicit (mechanics_flight) and holds what
  * acts within them, the kicks hold what acts from outside, and the step is that of the outside.
@@ -36,6 +42,9 @@ static const double furthest = 1.3;
 /* Accepted steps between looks at the stiffness, and before a halved step is tried at twice its length. */
 enum { STEPS_BETWEEN_LOOKS = 50, STEPS_TO_RECOVER = 20 };
 
+/* From here on, in g h, the kicks' difference is no small one between large numbers. */
+static const double subtracted = 0.25;
+
 /* Masses grow by steps of a seventh, up to as much as was measured. */
 static const double heavier_by = 1.15, heaviest = 10;
 /* By this many looks more than the others may find that steps below motion.least are needed: a shock passes. */
@@ -49,6 +58,7 @@ typedef struct splitting {
     double least_radius; /* of all particles, um */
     size_t n;            /* particles x dimensions */
     bool chains;         /* flexible cells fly on their own */
+    bool at_once;        /* Euler: one kick of h */
     bool started;
     bool stale;      /* the force is that of links as they were */
     double bearable; /* what the stiffness bears, s */
@@ -59,7 +69,9 @@ typedef struct splitting {
     int since_look, since_refusal, short_looks;
     mechanics_hits hits;           /* of the trial */
     double factors_for[2];         /* the step and growth of masses that the factors hold for */
-    double *kick, *decay, *flight; /* h / (2 m) and exp(-g h), for each component (n) */
+    double least_landing;          /* the least of landing beside h / (2 m) */
+    double *kick, *decay, *flight; /* of each component (n): A / m, of Euler h / m; E; (1 - E)/g */
+    double *landing;               /* B / m (n) */
     double *force, *trial_force, *x, *v, *mode, *memory;
 } splitting;
 
@@ -87,7 +99,8 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     self->most = how->most;
     self->n = mo->components;
     self->chains = mechanics_has_chains(mo->m);
-    self->memory = alloc_zeroed(8 * self->n, sizeof *self->memory);
+    self->at_once = how->integrator == INTEGRATOR_EULER;
+    self->memory = alloc_zeroed(9 * self->n, sizeof *self->memory);
     self->force = self->memory;
     self->trial_force = self->force + self->n;
     self->x = self->trial_force + self->n;
@@ -96,6 +109,7 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     self->decay = self->mode + self->n;
     self->kick = self->decay + self->n;
     self->flight = self->kick + self->n;
+    self->landing = self->flight + self->n;
     self->shorter = 1;
     self->least_radius = least_radius(mo);
     self->fades = self->fixed > 0 || self->chains ? 0 : fading_rate(how, mo);
@@ -176,6 +190,17 @@ static bool look(splitting *self, motion *mo, double t1) {
     return self->short_looks < SHORT_LOOKS && bearable >= least_refused * mo->least;
 }
 
+/* B / h, of z = g h and exp(-z) - 1: 1/z - E/(1 - E), near 0 by its series in Bernoulli's numbers. */
+static double share_after(double z, double loss) {
+    if (z > subtracted)
+        return 1 / z + (1 + loss) / loss;
+    const double q = z * z;
+    return 0.5 - z * (1. / 12 - q * (1. / 720 - q * (1. / 30240 - q * (1. / 1209600 - q / 47900160))));
+}
+
+/* The same of flexible cells, whose flight is implicit: v *= 1 / (1 + g h). */
+static const double share_after_implicit = 0;
+
 /* Those of particles begin ... end - 1, FACTORS_AT_ONCE at most. */
 enum { FACTORS_AT_ONCE = 8 * KERNEL_LANES };
 DIMENSIONS_INLINE void set_some_factors(splitting *self, const motion *mo, size_t begin, size_t end, size_t width) {
@@ -188,10 +213,13 @@ DIMENSIONS_INLINE void set_some_factors(splitting *self, const motion *mo, size_
     mechanics_loops(mo->m)->exponential_less_one(FACTORS_AT_ONCE, decayed, loss);
     for (size_t p = begin; p < end; p++) {
         const double flight = rate[p - begin] > 0 ? -loss[p - begin] / rate[p - begin] : self->h;
-        const double kick = 0.5 * self->h / (self->heavier * mass[p]);
         const bool chained = self->chains && mechanics_is_chained(mo->m, p);
+        const double after = chained ? share_after_implicit : share_after(-decayed[p - begin], loss[p - begin]);
+        const double impulse = self->h / (self->heavier * mass[p]);
+        self->least_landing = fmin(self->least_landing, 2 * after);
         for (size_t i = width * p; i < width * (p + 1); i++) {
-            self->kick[i] = kick;
+            self->kick[i] = (self->at_once ? 1 : 1 - after) * impulse;
+            self->landing[i] = after * impulse;
             self->decay[i] = chained ? 1 : 1 + loss[p - begin];
             self->flight[i] = chained ? 0 : flight;
         }
@@ -208,6 +236,7 @@ DIMENSIONS_INLINE void set_factors(splitting *self, const motion *mo, size_t wid
 static void prepare_factors(splitting *self, const motion *mo) {
     if (self->factors_for[0] == self->h && self->factors_for[1] == self->heavier)
         return;
+    self->least_landing = 1;
     if (mo->dimensions == 2)
         set_factors(self, mo, 2);
     else
@@ -216,11 +245,10 @@ static void prepare_factors(splitting *self, const motion *mo) {
     self->factors_for[1] = self->heavier;
 }
 
-/* A kick (weight 1: of half a step) and a flight, of all components; false: refused. That none has gone far along any
- * axis is seen in passing and suffices; else each particle is looked at. */
-static bool fly(splitting *self, const motion *mo, double weight) {
-    const kernel_flight q = {.weight = weight,
-                             .kick = self->kick,
+/* A kick and a flight, of all components; false: refused. That none has gone far along any axis is seen in passing and
+ * suffices; else each particle is looked at. */
+static bool fly(splitting *self, const motion *mo) {
+    const kernel_flight q = {.kick = self->kick,
                              .decay = self->decay,
                              .flight = self->flight,
                              .x0 = mo->x,
@@ -236,18 +264,19 @@ static bool fly(splitting *self, const motion *mo, double weight) {
     return motion_is_sane(mo, self->x, self->v, MOTION_FARTHEST);
 }
 
-/* The second kick of a step (weight 1: of half of it; 0: none); false: refused. That the force has changed by little
- * along every axis is seen in passing and suffices. */
+/* The second kick of a step (weight 0: none); false: refused. That the force has changed by little along every axis is
+ * seen in passing and suffices. */
 static bool land(splitting *self, const motion *mo, double weight) {
     const double *before = self->force, *after = self->trial_force;
     double little = MOTION_GENTLE * self->least_radius / sqrt(mo->dimensions) * (1 - 1e-12) / self->h;
-    size_t jolted = mechanics_loops(mo->m)->kick(self->n, weight, self->kick, before, after, little, self->v);
+    little *= self->least_landing;
+    size_t jolted = mechanics_loops(mo->m)->kick(self->n, weight, self->landing, before, after, little, self->v);
     return jolted == 0 || motion_is_gentle(mo, before, after, mechanics_mass(mo->m), self->h / sqrt(self->heavier));
 }
 
 /* One trial of velocity Verlet: what refuses it; CAP_COUNT: nothing. */
 static cap_kind try_verlet(splitting *self, motion *mo) {
-    if (!fly(self, mo, 1))
+    if (!fly(self, mo))
         return CAP_FAR;
     motion_force_outside(mo, self->x, self->trial_force);
     return land(self, mo, 1) ? CAP_COUNT : CAP_JOLT;
@@ -255,7 +284,7 @@ static cap_kind try_verlet(splitting *self, motion *mo) {
 
 /* The same of semi-implicit Euler. */
 static cap_kind try_euler(splitting *self, motion *mo) {
-    if (!fly(self, mo, 2))
+    if (!fly(self, mo))
         return CAP_FAR;
     motion_force_outside(mo, self->x, self->trial_force);
     return land(self, mo, 0) ? CAP_COUNT : CAP_JOLT;
@@ -330,13 +359,20 @@ static int step_euler(void *self, motion *mo, double t1, diag *d) {
     return step(self, mo, t1, try_euler, d);
 }
 
+/* Of Euler: what the force where the last step ended still owes its velocity. */
+static void finish(void *of, motion *mo) {
+    const splitting *self = of;
+    for (size_t i = 0; mo->steps && i < self->n; i++)
+        mo->v[i] += self->landing[i] * self->force[i];
+}
+
 const integrator_style integrator_verlet = {
     .name = "verlet",
     .summary = "velocity Verlet with exact damping",
     .source = "Stoermer-Verlet, damped flight exact",
     .order = 2,
     .caps = INTEGRATOR_EXACT_DAMPING,
-    .vectors = 8,
+    .vectors = 9,
     .create = create,
     .step = step_verlet,
     .force = force,
@@ -351,9 +387,10 @@ const integrator_style integrator_euler = {
     .source = "symplectic Euler, damped flight exact",
     .order = 1,
     .caps = INTEGRATOR_EXACT_DAMPING,
-    .vectors = 8,
+    .vectors = 9,
     .create = create,
     .step = step_euler,
+    .finish = finish,
     .force = force,
     .reset = reset,
     .renew = renew,
