@@ -48,6 +48,19 @@ typedef struct flat_capsule {
     double x[2], radius, rest, d[2];
 } flat_capsule;
 
+/* As numbers: x ..., radius; then the axis, and before or behind it the rest length. */
+enum { CAPSULE_AXIS = 4 };
+static inline int capsule_rest(int dimensions) {
+    return dimensions == 2 ? 3 : 7;
+}
+_Static_assert(offsetof(capsule, radius) == 3 * sizeof(double) && offsetof(capsule, d) == 4 * sizeof(double) &&
+                   offsetof(capsule, rest) == 7 * sizeof(double) && sizeof(capsule) == 8 * sizeof(double),
+               "capsules are read as numbers");
+_Static_assert(offsetof(flat_capsule, radius) == 2 * sizeof(double) &&
+                   offsetof(flat_capsule, rest) == 3 * sizeof(double) &&
+                   offsetof(flat_capsule, d) == 4 * sizeof(double) && sizeof(flat_capsule) == 6 * sizeof(double),
+               "capsules are read as numbers");
+
 static inline size_t capsule_size(bool flat) {
     return flat ? sizeof(flat_capsule) : sizeof(capsule);
 }
@@ -83,10 +96,13 @@ DIMENSIONS_INLINE void capsule_set(void *list, size_t slot, int dimensions, cons
     c->rest = rest;
 }
 
-/* A point that no body reaches, though distances from it are numbers: what fills the places of none. */
-DIMENSIONS_INLINE void capsule_set_nowhere(void *list, size_t slot, int dimensions) {
-    const double far[3] = {1e18, 1e18, 1e18};
-    capsule_set(list, slot, dimensions, far, far, 0, 0);
+/* Points that no body reaches, nor one of them the other, though distances from them are numbers: what fills the places
+ * of owners (n) and of partners (n + 1) that there are none of. */
+enum { CAPSULES_NOWHERE = 2 };
+DIMENSIONS_INLINE void capsule_set_nowhere(void *list, size_t n, int dimensions) {
+    static const double owners[3] = {1e18, 1e18, 1e18}, partners[3] = {-1e18, -1e18, -1e18};
+    capsule_set(list, n, dimensions, owners, owners, 0, 0);
+    capsule_set(list, n + 1, dimensions, partners, partners, 0, 0);
 }
 
 /* What tells a particle from all others, the same after any reordering: the key of its random directions. */

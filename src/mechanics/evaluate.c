@@ -19,8 +19,9 @@ int state_threads(const mechanics *m) {
 }
 
 /* Capsules of slots begin ... end - 1 at x; whether a particle of theirs has left its leeway (or is not a number),
- * where they are listed. */
-DIMENSIONS_INLINE bool set_range(mechanics *m, const double *x, size_t begin, size_t end, bool listed, int dimensions) {
+ * where they are listed. Without axes no body has a second end. */
+DIMENSIONS_INLINE bool set_range(mechanics *m, const double *x, size_t begin, size_t end, bool listed, bool axes,
+                                 int dimensions) {
     const body *bodies = m->bodies;
     const size_t width = (size_t)dimensions;
     const double *then = m->built_at + 2 * width * begin;
@@ -28,16 +29,23 @@ DIMENSIONS_INLINE bool set_range(mechanics *m, const double *x, size_t begin, si
     bool left = false;
     for (size_t slot = begin; slot < end; slot++, then += 2 * width) {
         const body *b = &bodies[slot];
-        const double *first = x + width * b->first, *last = first + width * (b->count - 1);
+        const double *first = x + width * b->first, *last = axes ? first + width * (b->count - 1) : first;
         capsule_set(capsules, slot, dimensions, first, last, b->radius, b->rest);
         if (!listed)
             continue;
         const double limit = (double)b->leeway * (double)b->leeway;
-        if (!(dimensions_apart(first, then, dimensions) <= limit &&
-              dimensions_apart(last, then + width, dimensions) <= limit))
+        if (!(dimensions_apart(first, then, dimensions) <= limit))
+            left = true;
+        if (axes && !(dimensions_apart(last, then + width, dimensions) <= limit))
             left = true;
     }
     return left;
+}
+
+static bool set_some(mechanics *m, const double *x, size_t begin, size_t end, bool listed) {
+    if (m->flat)
+        return m->cocci ? set_range(m, x, begin, end, listed, false, 2) : set_range(m, x, begin, end, listed, true, 2);
+    return m->cocci ? set_range(m, x, begin, end, listed, false, 3) : set_range(m, x, begin, end, listed, true, 3);
 }
 
 /* The same for all. */
@@ -48,7 +56,7 @@ static bool set_capsules(mechanics *m, const double *x) {
 #pragma omp parallel for num_threads(state_threads(m)) schedule(static) reduction(|| : left)
     for (size_t chunk = 0; chunk < chunks; chunk++) {
         size_t begin = chunk * STATE_CHUNK, end = begin + STATE_CHUNK < m->nbodies ? begin + STATE_CHUNK : m->nbodies;
-        bool away = m->flat ? set_range(m, x, begin, end, listed, 2) : set_range(m, x, begin, end, listed, 3);
+        bool away = set_some(m, x, begin, end, listed);
         left = left || away;
     }
     return left;
@@ -116,8 +124,8 @@ static void build(mechanics *m, const double *x) {
 }
 
 bool state_refresh_pairs(mechanics *m, const double *x) {
-    if (m->nbodies + 1 > m->capsule_capacity) {
-        m->capsule_capacity = m->nbodies + 1 + m->nbodies / 2;
+    if (m->nbodies + CAPSULES_NOWHERE > m->capsule_capacity) {
+        m->capsule_capacity = m->nbodies + CAPSULES_NOWHERE + m->nbodies / 2;
         free(m->capsules);
         m->capsules = alloc_aligned(m->capsule_capacity, capsule_size(m->flat), _Alignof(capsule));
         m->built_at =

@@ -25,7 +25,8 @@ typedef struct force_frame {
     size_t nbodies;
     const double *x, *v; /* (nparticles x dimensions), um, um/s; v NULL where damping is left out */
     const double *mass;  /* (nparticles), pg */
-    /* (nbodies + 1), of x, the last of no body: capsule, or flat_capsule if flat; NULL without collision */
+    /* (nbodies + CAPSULES_NOWHERE), of x, the last of no body: capsule, or flat_capsule if flat; NULL without collision
+     */
     const void *capsules;
     const struct neighbor *neighbor;    /* NULL without collision */
     const struct spring_index *springs; /* NULL without springs */

@@ -62,6 +62,8 @@ typedef struct contact_kernel {
      * plane, z components are neither read nor written. Returns how many touch with coincident axes, which have no
      * direction. */
     size_t (*contact[2][2])(const contact_law_values *law, size_t n, kernel_batch *b);
+    /* Squared distances of the axes of the first n pairs, by the same; nothing but r, d1, d2 is read. */
+    void (*apart[2][2])(size_t n, kernel_batch *b);
     /* Sums the contacts of some bodies with all their partners, each in the order of its row, by what touches and
      * where, as above; from begin > 0 on to what the sums hold. Components that are not computed are left as they are.
      * Returns whether some touch with coincident axes: the sums lack those. */

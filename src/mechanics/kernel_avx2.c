@@ -31,12 +31,6 @@ static inline pack_mask pack_less(pack a, pack b) {
 static inline pack_mask pack_equal(pack a, pack b) {
     return _mm256_cmp_pd(a, b, _CMP_EQ_OQ);
 }
-static inline pack_mask pack_both(pack_mask a, pack_mask b) {
-    return _mm256_and_pd(a, b);
-}
-static inline pack_mask pack_either(pack_mask a, pack_mask b) {
-    return _mm256_or_pd(a, b);
-}
 static inline bool pack_any(pack_mask m) {
     return _mm256_movemask_pd(m) != 0;
 }

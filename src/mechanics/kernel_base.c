@@ -34,12 +34,6 @@ static inline pack_mask pack_less(pack a, pack b) {
 static inline pack_mask pack_equal(pack a, pack b) {
     return _mm_cmpeq_pd(a, b);
 }
-static inline pack_mask pack_both(pack_mask a, pack_mask b) {
-    return _mm_and_pd(a, b);
-}
-static inline pack_mask pack_either(pack_mask a, pack_mask b) {
-    return _mm_or_pd(a, b);
-}
 static inline bool pack_any(pack_mask m) {
     return _mm_movemask_pd(m) != 0;
 }
@@ -84,12 +78,6 @@ static inline pack_mask pack_less(pack a, pack b) {
 }
 static inline pack_mask pack_equal(pack a, pack b) {
     return a == b;
-}
-static inline pack_mask pack_both(pack_mask a, pack_mask b) {
-    return a && b;
-}
-static inline pack_mask pack_either(pack_mask a, pack_mask b) {
-    return a || b;
 }
 static inline bool pack_any(pack_mask m) {
     return m;

@@ -71,6 +71,44 @@ static size_t sphere_flat(const contact_law_values *law, size_t n, kernel_batch 
     return sphere_in(2, law, n, b);
 }
 
+KERNEL_INLINE void apart_in(int dimensions, size_t n, kernel_batch *b) {
+    static const contact_law_values axes = {1, 1, 0};
+    for (size_t i = 0; i < n; i++) {
+        contact_pair p = {.radii = 0};
+        contact_result c;
+        for (int k = 0; k < dimensions; k++) {
+            p.r[k] = b->r[k][i];
+            p.d1[k] = b->d1[k][i];
+            p.d2[k] = b->d2[k][i];
+        }
+        contact_nearest(dimensions, axes, &p, &c);
+        b->square[i] = contact_dot(c.delta, c.delta, dimensions);
+    }
+}
+
+KERNEL_INLINE void sphere_apart_in(int dimensions, size_t n, kernel_batch *b) {
+    for (size_t i = 0; i < n; i++) {
+        double square = b->r[0][i] * b->r[0][i] + b->r[1][i] * b->r[1][i];
+        b->square[i] = dimensions > 2 ? square + b->r[2][i] * b->r[2][i] : square;
+    }
+}
+
+static void apart(size_t n, kernel_batch *b) {
+    apart_in(3, n, b);
+}
+
+static void apart_flat(size_t n, kernel_batch *b) {
+    apart_in(2, n, b);
+}
+
+static void sphere_apart(size_t n, kernel_batch *b) {
+    sphere_apart_in(3, n, b);
+}
+
+static void sphere_apart_flat(size_t n, kernel_batch *b) {
+    sphere_apart_in(2, n, b);
+}
+
 static void exponential(size_t n, const double *x, double *y) {
     for (size_t i = 0; i < n; i += KERNEL_EXP_LANES)
         KERNEL_EXP(x + i, y + i);
@@ -116,6 +154,7 @@ extern const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME);
 const contact_kernel KERNEL_JOIN(kernel_, KERNEL_NAME) = {
     KERNEL_TEXT(KERNEL_NAME),
     {{contact, contact_flat}, {sphere, sphere_flat}},
+    {{apart, apart_flat}, {sphere_apart, sphere_apart_flat}},
     {{rows_segments, rows_segments_flat}, {rows_spheres, rows_spheres_flat}},
     exponential,
     exponential_less_one,

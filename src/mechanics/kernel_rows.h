@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of contacts, PACK_WIDTH owners beside each other: each lane walks its own owner's row and sums it in registers.
  * Included by kernel_batch.h. The file of a vector width defines `pack`, a vector of PACK_WIDTH numbers, and what
- * contact_law.h asks for by the names pack_...; pack_load and pack_store of PACK_WIDTH numbers; of masks pack_both,
- * pack_either, and pack_any (is it true in a lane?); and pack_records(from, n, to): the first n numbers (6 or 8) at
- * each of PACK_WIDTH addresses, to[k] with the k-th of all.
+ * contact_law.h asks for by the names pack_...; pack_load and pack_store of PACK_WIDTH numbers; pack_any of a mask (is
+ * it true in a lane?); and pack_records(from, n, to): the first n numbers (6 or 8) at each of PACK_WIDTH addresses,
+ * to[k] with the k-th of all.
  *
  * What a contact is waits for four quotients and a root, one for the other, for some 200 cycles in all: two short loops
  * over a row instead of one long one let the processor work at many contacts at once. */
@@ -24,11 +24,7 @@ typedef struct rows_bodies {
     pack x[3], d[3], radius, rest;
 } rows_bodies;
 
-_Static_assert(sizeof(capsule) == 8 * sizeof(double) && offsetof(capsule, d) == 4 * sizeof(double) &&
-                   sizeof(flat_capsule) == 6 * sizeof(double) && offsetof(flat_capsule, d) == 4 * sizeof(double),
-               "capsules are read as numbers");
-
-/* Those that begin at these places; in the plane the rest length comes before the axis. */
+/* Those that begin at these places. */
 KERNEL_INLINE void load_bodies(int dimensions, const void *capsules, const uint32_t *places, rows_bodies *to) {
     const double *from[PACK_WIDTH];
     pack numbers[8];
@@ -37,10 +33,10 @@ KERNEL_INLINE void load_bodies(int dimensions, const void *capsules, const uint3
     pack_records(from, 2 * dimensions + 2, numbers);
     for (int k = 0; k < dimensions; k++) {
         to->x[k] = numbers[k];
-        to->d[k] = numbers[4 + k];
+        to->d[k] = numbers[CAPSULE_AXIS + k];
     }
     to->radius = numbers[dimensions];
-    to->rest = numbers[dimensions > 2 ? 7 : 3];
+    to->rest = numbers[capsule_rest(dimensions)];
 }
 
 /* What the second loop needs of the contacts that the first has found. */
@@ -50,8 +46,8 @@ typedef struct rows_found {
 } rows_found;
 
 typedef struct rows_sums {
-    pack total[3], last[3];
-    pack_mask coincident;
+    pack total[3], last[3]; /* without axes no `last` */
+    pack least;             /* squared distance */
 } rows_sums;
 
 /* Contact of each owner with one partner: the body of lower id is A. */
@@ -81,7 +77,8 @@ KERNEL_INLINE void find_spheres(int dimensions, contact_law_values law, const ro
     const pack reach = law.reach * (own->radius + other->radius);
     for (int k = 0; k < dimensions; k++)
         out->delta[k] = own->x[k] - other->x[k];
-    out->place = out->g = pack_set(0);
+    out->place = pack_set(0);
+    out->g = pack_set(-0.0); /* to add it is nothing, and known to be */
     out->reach = reach * reach;
 }
 
@@ -97,11 +94,11 @@ KERNEL_INLINE void sum_found(int dimensions, bool axes, contact_law_values law, 
         if (axes)
             sums->last[k] += found->place * force;
     }
-    const pack least = pack_set(CONTACT_COINCIDENT * CONTACT_COINCIDENT);
-    sums->coincident = pack_either(sums->coincident, pack_both(pack_less(c.square, least), pack_less(c.g, c.reach)));
+    sums->least = pack_min(c.square, sums->least);
 }
 
-/* Contacts of the owners with their partners begin ... begin + n - 1. */
+/* Contacts of the owners with their partners begin ... begin + n - 1. Those of spheres wait for one quotient and a root
+ * only: one loop. */
 KERNEL_INLINE void sum_block(int dimensions, bool axes, contact_law_values law, const kernel_rows *rows, size_t from,
                              size_t begin, size_t n, const rows_bodies *own, rows_sums *sums) {
     const uint32_t *partners = rows->partners + KERNEL_LANES * begin + from;
@@ -111,12 +108,14 @@ KERNEL_INLINE void sum_block(int dimensions, bool axes, contact_law_values law, 
         rows_bodies other;
         const pack place = pack_set((double)(int64_t)(rows->begin + begin + i));
         load_bodies(dimensions, rows->capsules, partners + KERNEL_LANES * i, &other);
-        if (axes)
+        if (axes) {
             find_segments(dimensions, law, own, &other, pack_less(place, lower), &found[i]);
-        else
-            find_spheres(dimensions, law, own, &other, &found[i]);
+            continue;
+        }
+        find_spheres(dimensions, law, own, &other, &found[0]);
+        sum_found(dimensions, axes, law, &found[0], sums);
     }
-    for (size_t i = 0; i < n; i++)
+    for (size_t i = 0; axes && i < n; i++)
         sum_found(dimensions, axes, law, &found[i], sums);
 }
 
@@ -128,9 +127,10 @@ KERNEL_INLINE bool sum_rows(int dimensions, bool axes, const contact_law_values 
     rows_sums sums;
     for (int k = 0; k < dimensions; k++) {
         sums.total[k] = rows->begin ? pack_load(out->total[k] + from) : pack_set(0);
-        sums.last[k] = rows->begin ? pack_load(out->last[k] + from) : pack_set(0);
+        if (axes)
+            sums.last[k] = rows->begin ? pack_load(out->last[k] + from) : pack_set(0);
     }
-    sums.coincident = pack_less(pack_set(0), pack_set(0));
+    sums.least = pack_set(1);
     uint32_t places[PACK_WIDTH];
     for (size_t i = 0; i < PACK_WIDTH; i++)
         places[i] = capsule_place(rows->owners[from + i], dimensions == 2);
@@ -141,9 +141,10 @@ KERNEL_INLINE bool sum_rows(int dimensions, bool axes, const contact_law_values 
     }
     for (int k = 0; k < dimensions; k++) {
         pack_store(out->total[k] + from, sums.total[k]);
-        pack_store(out->last[k] + from, sums.last[k]);
+        if (axes)
+            pack_store(out->last[k] + from, sums.last[k]);
     }
-    return pack_any(sums.coincident);
+    return pack_any(pack_less(sums.least, pack_set(CONTACT_COINCIDENT * CONTACT_COINCIDENT)));
 }
 
 KERNEL_INLINE bool rows_in(int dimensions, bool axes, const contact_law_values *law, const kernel_rows *rows,

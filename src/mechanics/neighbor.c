@@ -43,7 +43,7 @@ static size_t write_pairs(const neighbor *list, const uint32_t *members, size_t 
     for (size_t j = 0; j < length; j++)
         for (size_t l = 0; l < KERNEL_LANES; l++) {
             uint32_t partner = list->by_id[begin + j];
-            buffer[KERNEL_LANES * j + l] = capsule_place(partner == members[l] ? list->n : partner, list->flat);
+            buffer[KERNEL_LANES * j + l] = capsule_place(partner == members[l] ? list->n + 1 : partner, list->flat);
         }
     rows->partners = buffer;
     rows->length = length;
@@ -63,14 +63,11 @@ size_t neighbor_rows(const neighbor *list, size_t group, size_t begin, uint32_t 
 
 /* What one thread gathers: for a stretch of slots, the partners above each that are near enough. */
 typedef struct gatherer {
-    const grid *g;
+    const neighbor *list;
     const body *bodies;
-    bool chained; /* some of them are joined */
     const void *capsules;
     const contact_kernel *kernel;
-    bool spheres, flat;
-    contact_law_values law;      /* the published one: distances between axes */
-    double beyond;               /* um */
+    double reach, beyond;        /* pairs within reach (r_A + r_B) + beyond, um, and their leeways */
     uint32_t *found;             /* slots whose boxes meet */
     uint32_t *owners, *partners; /* pairs, by owner */
     size_t found_capacity, owners_capacity, partners_capacity, count;
@@ -81,50 +78,53 @@ typedef struct gatherer {
 
 /* Keeps those of the batch whose segments are near enough. */
 static void filter(gatherer *w) {
-    kernel_batch *b = &w->batch;
-    w->kernel->contact[w->spheres][w->flat](&w->law, w->nbatch, b);
+    w->kernel->apart[w->list->spheres][w->list->flat](w->nbatch, &w->batch);
     w->owners = alloc_grow(w->owners, &w->owners_capacity, w->count + w->nbatch, sizeof *w->owners);
     w->partners = alloc_grow(w->partners, &w->partners_capacity, w->count + w->nbatch, sizeof *w->partners);
     for (size_t i = 0; i < w->nbatch; i++) {
-        uint32_t own = w->batch_owner[i], other = w->batch_partner[i];
-        double leeway = (double)w->bodies[own].leeway + (double)w->bodies[other].leeway;
-        double limit = w->law.reach * b->radii[i] + w->beyond + leeway;
-        w->owners[w->count] = own;
-        w->partners[w->count] = other;
-        w->count += b->square[i] <= limit * limit;
+        const body *own = &w->bodies[w->batch_owner[i]], *other = &w->bodies[w->batch_partner[i]];
+        double leeway = (double)own->leeway + (double)other->leeway;
+        double limit = w->reach * (own->radius + other->radius) + w->beyond + leeway;
+        w->owners[w->count] = w->batch_owner[i];
+        w->partners[w->count] = w->batch_partner[i];
+        w->count += w->batch.square[i] <= limit * limit;
     }
     w->nbatch = 0;
 }
 
-static void load_candidate(gatherer *w, uint32_t slot, uint32_t partner) {
+/* The candidate that comes next in the batch. */
+DIMENSIONS_INLINE void load_candidate(gatherer *w, uint32_t slot, uint32_t partner, int dimensions) {
     if (w->nbatch == KERNEL_BATCH)
         filter(w);
-    capsule room[2];
-    const capsule *own = capsule_get(w->capsules, slot, w->flat, &room[0]);
-    const capsule *other = capsule_get(w->capsules, partner, w->flat, &room[1]);
+    const double *own = (const double *)w->capsules + capsule_place(slot, dimensions == 2);
+    const double *other = (const double *)w->capsules + capsule_place(partner, dimensions == 2);
     kernel_batch *b = &w->batch;
     size_t i = w->nbatch++;
-    for (int k = 0; k < 3; k++) {
-        b->r[k][i] = own->x[k] - other->x[k];
-        b->d1[k][i] = own->d[k];
-        b->d2[k][i] = other->d[k];
+    for (int k = 0; k < dimensions; k++) {
+        b->r[k][i] = own[k] - other[k];
+        b->d1[k][i] = own[CAPSULE_AXIS + k];
+        b->d2[k][i] = other[CAPSULE_AXIS + k];
     }
-    b->radii[i] = own->radius + other->radius;
-    b->rests[i] = 0;
-    b->side[i] = 1;
     w->batch_owner[i] = slot;
     w->batch_partner[i] = partner;
 }
 
-static void gather(gatherer *w, size_t begin, size_t end) {
+DIMENSIONS_INLINE void gather_in(gatherer *w, size_t begin, size_t end, int dimensions) {
     for (size_t slot = begin; slot < end; slot++) {
-        size_t nfound = grid_search(w->g, slot, &w->found, &w->found_capacity);
+        size_t nfound = grid_search(&w->list->grid, slot, &w->found, &w->found_capacity);
         for (size_t i = 0; i < nfound; i++)
-            if (!SARCINA_FLEXIBLE || !w->chained ||
-                !body_is_joined(&w->bodies[slot], &w->bodies[w->found[i]], w->law.reach))
-                load_candidate(w, (uint32_t)slot, w->found[i]);
+            if (!SARCINA_FLEXIBLE || !w->list->chained ||
+                !body_is_joined(&w->bodies[slot], &w->bodies[w->found[i]], w->reach))
+                load_candidate(w, (uint32_t)slot, w->found[i], dimensions);
     }
     filter(w);
+}
+
+static void gather(gatherer *w, size_t begin, size_t end) {
+    if (w->list->flat)
+        gather_in(w, begin, end, 2);
+    else
+        gather_in(w, begin, end, 3);
 }
 
 /* The same for all pairs, near or far: the oracle where some are joined. */
@@ -133,7 +133,7 @@ static void gather_all(gatherer *w, size_t n) {
         w->owners = alloc_grow(w->owners, &w->owners_capacity, w->count + n, sizeof *w->owners);
         w->partners = alloc_grow(w->partners, &w->partners_capacity, w->count + n, sizeof *w->partners);
         for (size_t other = slot + 1; other < n; other++)
-            if (!body_is_joined(&w->bodies[slot], &w->bodies[other], w->law.reach)) {
+            if (!body_is_joined(&w->bodies[slot], &w->bodies[other], w->reach)) {
                 w->owners[w->count] = (uint32_t)slot;
                 w->partners[w->count++] = (uint32_t)other;
             }
@@ -261,7 +261,7 @@ static void write_lanes(neighbor *list, size_t begin, size_t end) {
             size_t length = slot < list->n ? row_length(list, slot) : 0;
             for (size_t j = 0; j < longest; j++)
                 lanes[KERNEL_LANES * j + l] =
-                    capsule_place(j < length ? list->partners[list->start[slot] + j] : list->n, list->flat);
+                    capsule_place(j < length ? list->partners[list->start[slot] + j] : list->n + 1, list->flat);
         }
     }
 }
@@ -299,14 +299,11 @@ void neighbor_build(neighbor *list, const body *bodies, const void *capsules, do
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
     for (int p = 0; p < threads; p++) {
         gatherer *w = &parts[p];
-        w->g = &list->grid;
+        w->list = list;
         w->bodies = bodies;
-        w->chained = list->chained;
         w->capsules = capsules;
         w->kernel = kernel;
-        w->spheres = list->spheres;
-        w->flat = list->flat;
-        w->law = (contact_law_values){1, reach, 0};
+        w->reach = reach;
         w->beyond = beyond;
         if (all)
             gather_all(w, list->n);

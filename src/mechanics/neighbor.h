@@ -31,7 +31,7 @@ typedef struct neighbor {
     size_t *start;      /* (n + 1) */
     uint32_t *middle;   /* entries with partners of lower id in a row (n) */
     uint32_t *by_id;    /* slots in the order of ids (n): the rows of the all-pairs method */
-    /* The same for the kernel: rows of about one length beside each other, filled up with n, which is no body. */
+    /* The same for the kernel: rows of about one length beside each other, filled up with what is no body. */
     uint32_t *members;   /* (groups x KERNEL_LANES) slots of a group's owners */
     double *lower;       /* (groups x KERNEL_LANES) how many of their partners have lower ids */
     uint32_t *lanes;     /* (group_start[groups] x KERNEL_LANES) their partners: where these capsules begin */

@@ -51,7 +51,8 @@ struct mechanics {
     bool packed; /* the colony's x and v are a state of two dimensions for now */
 
     /* computed by evaluations */
-    void *capsules;   /* (nbodies + 1), by slot, the last of no body: capsule, or flat_capsule in the plane */
+    void *capsules; /* (nbodies + CAPSULES_NOWHERE), by slot, the last of no body: capsule, or flat_capsule in the plane
+                     */
     double *built_at; /* (nbodies x 2 dimensions) both ends when the list was built, by slot */
     neighbor neighbor;
     bool listed; /* the list holds for built_at */

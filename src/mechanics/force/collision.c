@@ -17,39 +17,52 @@ static contact_law_values law_of(const double *p) {
     return (contact_law_values){p[COLLISION_K], p[COLLISION_REACH], regularised ? p[COLLISION_EPSILON] : 0};
 }
 
-static contact_pair pair_of(const force_frame *at, const capsule *a, const capsule *b) {
-    contact_pair pair = {.radii = a->radius + b->radius, .rests = at->cocci ? 0 : a->rest * b->rest};
-    for (int k = 0; k < 3; k++)
-        pair.r[k] = a->x[k] - b->x[k];
-    return pair;
-}
-
-/* Without axes most of the law is constant. */
-static contact_result touch_spheres(const force_frame *at, contact_law_values law, const capsule *a, const capsule *b) {
-    return contact_compute(law, pair_of(at, a, b));
-}
-
-static contact_result touch_segments(const force_frame *at, contact_law_values law, const capsule *a,
-                                     const capsule *b) {
-    contact_pair pair = pair_of(at, a, b);
-    for (int k = 0; k < 3; k++) {
-        pair.d1[k] = a->d[k];
-        pair.d2[k] = b->d[k];
+/* The contact of two bodies, one by one. Without axes most of the law is constant; in the plane no z of it is set but
+ * that of delta. */
+DIMENSIONS_INLINE contact_result touch(const force_frame *at, contact_law_values law, size_t slot_a, size_t slot_b,
+                                       bool axes, int dimensions) {
+    const double *a = (const double *)at->capsules + capsule_place(slot_a, dimensions == 2);
+    const double *b = (const double *)at->capsules + capsule_place(slot_b, dimensions == 2);
+    const int rest = capsule_rest(dimensions);
+    contact_pair pair = {.radii = a[dimensions] + b[dimensions], .rests = axes ? a[rest] * b[rest] : 0};
+    for (int k = 0; k < dimensions; k++) {
+        pair.r[k] = a[k] - b[k];
+        pair.d1[k] = axes ? a[CAPSULE_AXIS + k] : 0;
+        pair.d2[k] = axes ? b[CAPSULE_AXIS + k] : 0;
     }
-    return contact_compute(law, pair);
+    contact_result c = contact_compute_in(dimensions, law, pair);
+    if (dimensions == 2)
+        c.delta[2] = 0;
+    return c;
+}
+
+static contact_result touch_segments(const force_frame *at, contact_law_values law, size_t a, size_t b) {
+    return touch(at, law, a, b, true, 3);
+}
+
+static contact_result touch_segments_flat(const force_frame *at, contact_law_values law, size_t a, size_t b) {
+    return touch(at, law, a, b, true, 2);
+}
+
+static contact_result touch_spheres(const force_frame *at, contact_law_values law, size_t a, size_t b) {
+    return touch(at, law, a, b, false, 3);
+}
+
+static contact_result touch_spheres_flat(const force_frame *at, contact_law_values law, size_t a, size_t b) {
+    return touch(at, law, a, b, false, 2);
 }
 
 static contact_result contact_with(const force_frame *at, contact_law_values law, size_t slot, uint32_t partner) {
-    capsule room[2];
-    return (at->cocci ? touch_spheres : touch_segments)(at, law, capsule_get(at->capsules, slot, at->flat, &room[0]),
-                                                        capsule_get(at->capsules, partner, at->flat, &room[1]));
+    if (at->flat)
+        return (at->cocci ? touch_spheres_flat : touch_segments_flat)(at, law, slot, partner);
+    return (at->cocci ? touch_spheres : touch_segments)(at, law, slot, partner);
 }
 
 /* What follows is compiled for each kind of scene, with and without flexible cells, in space and in the plane: a test a
  * row would be 0.3 % of an evaluation. */
 #define COLLISION_INLINE static inline __attribute__((always_inline))
 typedef struct kind {
-    bool chains;
+    bool chains, axes;
     int dimensions;
 } kind;
 
@@ -64,8 +77,9 @@ COLLISION_INLINE void give(const force_frame *at, const body *owner, const kerne
         last[0] = last[1] = last[2] = 0;
     }
     for (int k = 0; k < of.dimensions; k++) {
-        first[k] += sums->total[k][lane] - sums->last[k][lane];
-        last[k] += sums->last[k][lane];
+        first[k] += of.axes ? sums->total[k][lane] - sums->last[k][lane] : sums->total[k][lane];
+        if (of.axes)
+            last[k] += sums->last[k][lane];
     }
 }
 
@@ -128,11 +142,15 @@ COLLISION_INLINE void add_rows(const double *p, const force_frame *at, size_t be
 
 static void add(const double *p, const force_frame *at, size_t begin, size_t end, double *f) {
     if (SARCINA_FLEXIBLE && at->nchains)
-        add_rows(p, at, begin, end, f, (kind){true, 3});
+        add_rows(p, at, begin, end, f, (kind){true, true, 3});
+    else if (at->flat && at->cocci)
+        add_rows(p, at, begin, end, f, (kind){false, false, 2});
     else if (at->flat)
-        add_rows(p, at, begin, end, f, (kind){false, 2});
+        add_rows(p, at, begin, end, f, (kind){false, true, 2});
+    else if (at->cocci)
+        add_rows(p, at, begin, end, f, (kind){false, false, 3});
     else
-        add_rows(p, at, begin, end, f, (kind){false, 3});
+        add_rows(p, at, begin, end, f, (kind){false, true, 3});
 }
 
 /* The owners of a chain's particles take the shares that its segments left for them. */
