@@ -55,12 +55,27 @@ static inline void four_of(const double *const *from, int k, pack to[4]) {
     to[3] = _mm512_shuffle_f64x2(odd, odd_high, 0xdd);
 }
 
+/* Two numbers each at four addresses. */
+static inline pack quartet_of(const double *a, const double *b, const double *c, const double *d) {
+    const __m512d ab = _mm512_castpd128_pd512(_mm_loadu_pd(a));
+    return _mm512_insertf64x2(_mm512_insertf64x2(_mm512_insertf64x2(ab, _mm_loadu_pd(b), 1), _mm_loadu_pd(c), 2),
+                              _mm_loadu_pd(d), 3);
+}
+
+/* Two numbers at eight addresses, from the k-th on. */
+static inline void two_of(const double *const *from, int k, pack to[2]) {
+    const pack even = quartet_of(from[0] + k, from[2] + k, from[4] + k, from[6] + k);
+    const pack odd = quartet_of(from[1] + k, from[3] + k, from[5] + k, from[7] + k);
+    to[0] = _mm512_unpacklo_pd(even, odd);
+    to[1] = _mm512_unpackhi_pd(even, odd);
+}
+
 static inline void pack_records(const double *const *from, int n, pack *to) {
-    pack last[4];
     four_of(from, 0, to);
-    four_of(from, n - 4, last);
-    for (int k = 4; k < n; k++)
-        to[k] = last[4 - n + k];
+    if (n == 6)
+        two_of(from, 4, to + 4);
+    else
+        four_of(from, 4, to + 4);
 }
 
 #define KERNEL_NAME avx512

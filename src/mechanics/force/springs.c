@@ -36,33 +36,48 @@ static double reach_end(const force_frame *at, const spring_end *end, uint64_t k
     return length;
 }
 
-/* What an anchor, or a spring of length zero, does to its particle. */
-static void add_special(const force_frame *at, const spring_end *end, uint64_t key, uint32_t particle, double sum[3]) {
-    double u[3], length = reach_end(at, end, key, particle, u), tension = end->k * (length - end->rest);
+/* What an anchor, or a spring of length zero, does to its particle: apart, so that the loop over all others needs few
+ * registers. */
+static __attribute__((noinline)) void pull_special(const force_frame *at, const body *b, const spring_end *end,
+                                                   uint32_t particle, double f[3]) {
+    double u[3], length = reach_end(at, end, body_particle_key(b, particle), particle, u);
+    const double tension = end->k * (length - end->rest);
     for (int i = 0; i < 3; i++)
-        sum[i] += tension * u[i];
+        f[i] = tension * u[i];
+}
+
+/* The same of all others; false: it is one of those. */
+DIMENSIONS_INLINE bool pull(const force_frame *at, const spring_end *end, const double *x, double *f, int dimensions) {
+    if (end->other == SPRING_ANCHOR)
+        return false;
+    const double *other = at->x + (size_t)dimensions * end->other;
+    double d[3];
+    for (int i = 0; i < dimensions; i++)
+        d[i] = other[i] - x[i];
+    const double length = sqrt(dimensions_square(d, dimensions));
+    const double factor = end->k * (length - end->rest) / length;
+    for (int i = 0; i < dimensions; i++)
+        f[i] = factor * d[i];
+    return length > 0;
 }
 
 DIMENSIONS_INLINE void add_particle(const force_frame *at, const body *b, uint32_t particle, double *f,
                                     int dimensions) {
     const spring_index *index = at->springs;
     const double *x = at->x + (size_t)dimensions * particle;
-    double *out = f + (size_t)dimensions * particle;
-    double sum[3] = {0, 0, 0}, d[3] = {0, 0, 0};
-    for (uint32_t e = index->start[particle]; e < index->start[particle + 1]; e++) {
-        const spring_end *end = &index->ends[e];
-        double square = 0;
-        for (int i = 0; i < dimensions && end->other != SPRING_ANCHOR; i++) {
-            d[i] = at->x[(size_t)dimensions * end->other + (size_t)i] - x[i];
-            square += d[i] * d[i];
-        }
-        if (square == 0) {
-            add_special(at, end, body_particle_key(b, particle), particle, sum);
+    double *out = f + (size_t)dimensions * particle, sum[3] = {0, 0, 0};
+    const spring_end *last = index->ends + index->start[particle + 1];
+    for (const spring_end *end = index->ends + index->start[particle]; end < last; end++) {
+        double own[3];
+        if (pull(at, end, x, own, dimensions)) {
+            for (int i = 0; i < dimensions; i++)
+                sum[i] += own[i];
             continue;
         }
-        double length = sqrt(square), factor = end->k * (length - end->rest) / length;
+        double special[3];
+        pull_special(at, b, end, particle, special);
         for (int i = 0; i < dimensions; i++)
-            sum[i] += factor * d[i];
+            sum[i] += special[i];
     }
     for (int i = 0; i < dimensions; i++)
         out[i] += sum[i];
