@@ -3,12 +3,21 @@
  * Source: Storck et al. 2014, "Damping". */
 #include "mechanics/force/forces.h"
 
+DIMENSIONS_INLINE void drag_particle(double k, const double *v, double *f, int dimensions) {
+    for (int i = 0; i < dimensions; i++)
+        f[i] += -k * v[i];
+}
+
+/* A body owns one particle or two. */
 DIMENSIONS_INLINE void add_in(const double *p, const force_frame *at, size_t begin, size_t end, double *f,
-                              size_t dimensions) {
+                              int dimensions) {
+    const double k = p[DAMPING_K];
     for (size_t slot = begin; slot < end; slot++) {
         const body *b = &at->bodies[slot];
-        for (size_t i = dimensions * b->first; i < dimensions * (b->first + b->owned); i++)
-            f[i] += -p[DAMPING_K] * at->v[i];
+        const size_t first = (size_t)dimensions * b->first;
+        drag_particle(k, at->v + first, f + first, dimensions);
+        if (b->owned > 1)
+            drag_particle(k, at->v + first + dimensions, f + first + dimensions, dimensions);
     }
 }
 

@@ -4,13 +4,14 @@
 #include "relax/integrator.h"
 
 #include "base/alloc.h"
+#include "mechanics/dimensions.h"
 #include "relax/control.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { STAGES_MAX = 7 };
+enum { STAGES_MAX = 7, AT_ONCE = 8 };
 
 /* A pair: stage i starts from y + h sum_j a[i][j] k_j; the last row of a gives the new state; e its error. */
 typedef struct tableau {
@@ -83,15 +84,25 @@ static void destroy(void *of) {
     free(self);
 }
 
-/* out = base + h sum_j weight[j] k[j] over the first `count` stages; base NULL: 0. */
+/* out = base + h sum_j weight[j] k[j] over the first `count` stages, components begin ... begin + width - 1; base NULL:
+ * 0. */
+DIMENSIONS_INLINE void combine_some(size_t begin, size_t width, const double *base, double h, const double *weight,
+                                    double *const *k, int count, double *out) {
+    double sum[AT_ONCE] = {0};
+    for (int j = 0; j < count; j++)
+        for (size_t i = 0; i < width; i++)
+            sum[i] += weight[j] * k[j][begin + i];
+    for (size_t i = 0; i < width; i++)
+        out[begin + i] = (base ? base[begin + i] : 0) + h * sum[i];
+}
+
+/* All n of them, AT_ONCE by AT_ONCE: as many sums as stay in registers. */
 static void combine(size_t n, const double *base, double h, const double *weight, double *const *k, int count,
                     double *out) {
-    for (size_t i = 0; i < n; i++) {
-        double sum = 0;
-        for (int j = 0; j < count; j++)
-            sum += weight[j] * k[j][i];
-        out[i] = (base ? base[i] : 0) + h * sum;
-    }
+    const size_t whole = n - n % AT_ONCE;
+    for (size_t begin = 0; begin < whole; begin += AT_ONCE)
+        combine_some(begin, AT_ONCE, base, h, weight, k, count, out);
+    combine_some(whole, n - whole, base, h, weight, k, count, out);
 }
 
 static void compute_first_stage(embedded *self, motion *mo) {
