@@ -24,9 +24,12 @@ void force_direction(const force_frame *at, uint64_t key_a, uint64_t key_b, doub
     (at->flat ? rng_direction_flat : rng_direction)(at->seed, key_a, key_b, u);
 }
 
-stiff_spring *force_spring_add(stiff_list *list) {
+stiff_spring *force_spring_add(stiff_list *list, size_t of, double k) {
     list->list = alloc_grow(list->list, &list->capacity, list->count + 1, sizeof *list->list);
     stiff_spring *next = &list->list[list->count++];
-    memset(next, 0, sizeof *next);
+    next->k = k;
+    next->pull = 0;
+    next->count = 0;
+    next->of = (uint32_t)of;
     return next;
 }

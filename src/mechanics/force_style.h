@@ -47,6 +47,7 @@ typedef struct stiff_spring {
     double g[4][3];
     double k;       /* pg/s2; of an angle 1e-27 J, and g in 1/um */
     uint32_t count; /* particles it touches */
+    uint32_t of;    /* place of its body among those that were asked for; of a chain 0 */
     double pull;    /* of one between two points (g = u, -u) that is stretched: tension over length, pg/s2; else 0 */
 } stiff_spring;
 
@@ -56,8 +57,8 @@ typedef struct stiff_list {
     stiff_spring *list;
 } stiff_list;
 
-/* The next spring of the list, zeroed. */
-stiff_spring *force_spring_add(stiff_list *list);
+/* The next spring of the list: of that body, of this constant, without ends and pull. */
+stiff_spring *force_spring_add(stiff_list *list, size_t of, double k);
 
 /* One more particle of a spring: g = weight x direction. */
 static inline void force_spring_end(stiff_spring *s, uint32_t particle, double weight, const double direction[3]) {
@@ -65,6 +66,12 @@ static inline void force_spring_end(stiff_spring *s, uint32_t particle, double w
     for (int k = 0; k < 3; k++)
         s->g[s->count][k] = weight * direction[k];
     s->count++;
+}
+
+/* A spring between a particle and something far below or above it. */
+static inline void force_spring_along_z(stiff_list *list, size_t of, double k, uint32_t particle) {
+    static const double up[3] = {0, 0, 1};
+    force_spring_end(force_spring_add(list, of, k), particle, 1, up);
 }
 
 /* stiff_spring.pull of a spring of this length. */
@@ -112,8 +119,9 @@ typedef struct force_style {
     double (*energy_chain)(const double *p, const force_frame *at, size_t i);
     /* Linear drag, pg/s; then add is left out by integrators that damp exactly. Optional. */
     double (*drag)(const double *p);
-    /* Appends the springs that act on one body at this state; of a pair: with the body of lower id. Optional. */
-    void (*stiffness)(const double *p, const force_frame *at, size_t slot, stiff_list *out);
+    /* Appends the springs that act on n bodies at this state, those of one after those of the other; of a pair: with
+     * the body of lower id. Optional. */
+    void (*stiffness)(const double *p, const force_frame *at, const uint32_t *slots, size_t n, stiff_list *out);
     void (*stiffness_chain)(const double *p, const force_frame *at, size_t i, stiff_list *out);
     /* Spring constant (pg/s2) that a particle may meet at any time, whether or not it does now; optional. */
     double (*contact_stiffness)(const double *p);

@@ -80,6 +80,24 @@ static void note_size(grid *g, int32_t level, const grid_box *box) {
         most[k] = box->half[k] > most[k] ? box->half[k] : most[k];
 }
 
+static void begin_row(grid *g, const grid_place *p, uint32_t i) {
+    grid_row *row = &g->rows[g->nrows++];
+    *row = (grid_row){.level = p->level, .z = p->z, .y = p->y, .begin = i};
+    for (int k = 0; k < 3; k++) {
+        row->low[k] = (double)INFINITY;
+        row->high[k] = -(double)INFINITY;
+    }
+}
+
+static void add_to_row(grid_row *row, const grid_box *box, uint32_t i) {
+    row->end = i + 1;
+    row->longest = fmax(row->longest, box->half[0]);
+    for (int k = 0; k < 3; k++) {
+        row->low[k] = fmin(row->low[k], box->centre[k] - box->half[k]);
+        row->high[k] = fmax(row->high[k], box->centre[k] + box->half[k]);
+    }
+}
+
 void grid_build(grid *g, const body *bodies, const void *capsules, double reach, double beyond) {
     g->boxes = alloc_grow(g->boxes, &g->boxes_capacity, g->n, sizeof *g->boxes);
     g->rows = alloc_grow(g->rows, &g->rows_capacity, g->n, sizeof *g->rows);
@@ -90,11 +108,10 @@ void grid_build(grid *g, const body *bodies, const void *capsules, double reach,
         capsule room;
         g->boxes[i] = box_of(capsule_get(capsules, i, g->flat, &room), reach, 0.5 * beyond + (double)bodies[i].leeway);
         note_size(g, p->level, &g->boxes[i]);
-        grid_row *last = g->nrows ? &g->rows[g->nrows - 1] : NULL;
+        const grid_row *last = g->nrows ? &g->rows[g->nrows - 1] : NULL;
         if (!last || compare_bins(last->level, last->z, last->y, p->level, p->z, p->y) != 0)
-            g->rows[g->nrows++] = (grid_row){p->level, p->z, p->y, i, i + 1};
-        else
-            last->end = i + 1;
+            begin_row(g, p, i);
+        add_to_row(&g->rows[g->nrows - 1], &g->boxes[i], i);
     }
 }
 
@@ -119,73 +136,85 @@ static size_t first_row(const grid *g, int32_t level, int64_t z, int64_t y) {
     return low;
 }
 
-/* First slot of a row whose centre's x is not below x. */
-static uint32_t first_slot(const grid *g, const grid_row *row, double x) {
-    uint32_t low = row->begin, high = row->end;
-    while (low < high) {
-        uint32_t middle = low + (high - low) / 2;
-        if (g->boxes[middle].centre[0] < x)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 static bool meet(const grid_box *a, const grid_box *b) {
-    return fabs(a->centre[0] - b->centre[0]) <= a->half[0] + b->half[0] &&
-           fabs(a->centre[1] - b->centre[1]) <= a->half[1] + b->half[1] &&
-           fabs(a->centre[2] - b->centre[2]) <= a->half[2] + b->half[2];
+    return (fabs(a->centre[0] - b->centre[0]) <= a->half[0] + b->half[0]) &
+           (fabs(a->centre[1] - b->centre[1]) <= a->half[1] + b->half[1]) &
+           (fabs(a->centre[2] - b->centre[2]) <= a->half[2] + b->half[2]);
 }
 
-typedef struct search {
-    const grid *g;
-    size_t slot, own_row;
-    uint32_t **found;
-    size_t *capacity, count;
-} search;
-
-static void search_row(search *s, const grid_row *row, double span) {
-    const grid_box *own = &s->g->boxes[s->slot];
-    const double begin = own->centre[0] - span, end = own->centre[0] + span;
-    uint32_t first = row->begin > s->slot ? first_slot(s->g, row, begin) : (uint32_t)s->slot + 1;
-    *s->found = alloc_grow(*s->found, s->capacity, s->count + (row->end - row->begin), sizeof **s->found);
-    for (uint32_t i = first; i < row->end && s->g->boxes[i].centre[0] <= end; i++)
-        if (meet(own, &s->g->boxes[i]))
-            (*s->found)[s->count++] = i;
+static bool rows_meet(const grid_row *a, const grid_row *b) {
+    for (int k = 0; k < 3; k++)
+        if (!(a->low[k] <= b->high[k] && b->low[k] <= a->high[k]))
+            return false;
+    return true;
 }
 
-/* All rows of a level that bodies meeting the box may stand in. */
-static void search_level(search *s, int32_t level, const double most[3]) {
+/* The rows of a level, from a row itself on, that its bodies may meet. */
+static void add_windows(grid_search *s, int32_t level, const double most[3], size_t own) {
     const grid *g = s->g;
-    const grid_box *own = &g->boxes[s->slot];
-    double side = bin_side(level), span[3];
-    int64_t low[3], high[3];
-    for (int k = 0; k < 3; k++) {
-        span[k] = own->half[k] + most[k];
-        low[k] = bin_of(own->centre[k] - span[k], side);
-        high[k] = bin_of(own->centre[k] + span[k], side);
-    }
-    size_t i = first_row(g, level, low[2], low[1]);
-    i = i > s->own_row ? i : s->own_row;
-    while (i < g->nrows && g->rows[i].level == level && g->rows[i].z <= high[2]) {
+    const grid_row *from = &g->rows[own];
+    const double side = bin_side(level);
+    const int64_t y0 = bin_of(from->low[1] - most[1], side), y1 = bin_of(from->high[1] + most[1], side);
+    const int64_t z0 = bin_of(from->low[2] - most[2], side), z1 = bin_of(from->high[2] + most[2], side);
+    size_t i = first_row(g, level, z0, y0);
+    i = i > own ? i : own;
+    while (i < g->nrows && g->rows[i].level == level && g->rows[i].z <= z1) {
         const grid_row *row = &g->rows[i];
-        if (row->y < low[1])
-            i = first_row(g, level, row->z, low[1]);
-        else if (row->y > high[1])
-            i = first_row(g, level, row->z + 1, low[1]);
+        if (row->y < y0)
+            i = first_row(g, level, row->z, y0);
+        else if (row->y > y1)
+            i = first_row(g, level, row->z + 1, y0);
         else {
-            search_row(s, row, span[0]);
+            s->windows = alloc_grow(s->windows, &s->windows_capacity, s->nwindows + 1, sizeof *s->windows);
+            s->windows[s->nwindows] = (grid_window){row->begin, row->end, row->longest};
+            s->nwindows += rows_meet(from, row);
             i++;
         }
     }
 }
 
-size_t grid_search(const grid *g, size_t slot, uint32_t **found, size_t *capacity) {
+/* Windows for the row of a slot, and room for all that they hold. */
+static void open_windows(grid_search *s, uint32_t slot) {
+    const grid *g = s->g;
     const grid_place *p = &g->places[slot];
-    search s = {g, slot, first_row(g, p->level, p->z, p->y), found, capacity, 0};
+    const size_t own = first_row(g, p->level, p->z, p->y);
+    size_t most = 1;
+    s->nwindows = 0;
+    s->row_end = g->rows[own].end;
+    s->longest = g->rows[own].longest;
     for (int l = 0; l < g->nlevels; l++)
         if (g->levels[l] >= p->level) /* lower levels stand below */
-            search_level(&s, g->levels[l], g->most[l]);
-    return s.count;
+            add_windows(s, g->levels[l], g->most[l], own);
+    for (size_t i = 0; i < s->nwindows; i++)
+        most += s->windows[i].end - s->windows[i].next;
+    s->found = alloc_grow(s->found, &s->found_capacity, most, sizeof *s->found);
+}
+
+/* Candidates pass without a branch: whether boxes meet is anybody's guess. */
+static uint32_t *look_through(const grid_box *boxes, double longest, grid_window *w, uint32_t slot, uint32_t *found) {
+    const grid_box own = boxes[slot];
+    const double begin = own.centre[0] - (longest + w->longest), end = own.centre[0] + (own.half[0] + w->longest);
+    uint32_t i = w->next;
+    while (i < w->end && boxes[i].centre[0] < begin)
+        i++;
+    w->next = i;
+    for (i = i > slot ? i : slot + 1; i < w->end && boxes[i].centre[0] <= end; i++) {
+        *found = i;
+        found += meet(&own, &boxes[i]);
+    }
+    return found;
+}
+
+size_t grid_find(grid_search *s, uint32_t slot) {
+    if (slot >= s->row_end)
+        open_windows(s, slot);
+    uint32_t *found = s->found;
+    for (size_t i = 0; i < s->nwindows; i++)
+        found = look_through(s->g->boxes, s->longest, &s->windows[i], slot, found);
+    return (size_t)(found - s->found);
+}
+
+void grid_search_free(grid_search *s) {
+    free(s->windows);
+    free(s->found);
 }

@@ -19,6 +19,8 @@ typedef struct grid_row {
     int32_t level;
     int64_t z, y;
     uint32_t begin, end;
+    double low[3], high[3]; /* what their boxes take up together */
+    double longest;         /* largest half side along x */
 } grid_row;
 
 enum { GRID_LEVELS_MAX = 64 };
@@ -51,7 +53,26 @@ void grid_sort(grid *g, const void *capsules, bool flat, size_t n);
 void grid_build(grid *g, const body *bodies, const void *capsules, double reach, double beyond);
 void grid_free(grid *g);
 
-/* Slots above this one whose boxes meet its own; found is grown as needed. Returns how many. */
-size_t grid_search(const grid *g, size_t slot, uint32_t **found, size_t *capacity);
+/* Bodies of a row among which those of another look for partners: the next ones first. */
+typedef struct grid_window {
+    uint32_t next, end; /* bodies before `next` are too far back along x for all that are still to look */
+    double longest;     /* largest half side along x here */
+} grid_window;
+
+/* A search for partners, body after body in the order of slots: what a row's bodies have in common is found once for
+ * all of them. Zeroed to begin with, but for the grid. */
+typedef struct grid_search {
+    const grid *g;
+    uint32_t row_end; /* the windows hold up to here */
+    double longest;   /* largest half side along x of the row's bodies */
+    grid_window *windows;
+    size_t nwindows, windows_capacity;
+    uint32_t *found;
+    size_t found_capacity;
+} grid_search;
+
+/* Slots above this one whose boxes meet its own: how many stand in search->found. Slots must come in their order. */
+size_t grid_find(grid_search *search, uint32_t slot);
+void grid_search_free(grid_search *search);
 
 #endif

@@ -29,21 +29,39 @@ typedef struct kernel_sums {
     _Alignas(64) double total[3][KERNEL_LANES], last[3][KERNEL_LANES];
 } kernel_sums;
 
-/* Pairs as a structure of arrays: in, and out. A is the body of lower id. */
+/* Pairs as a structure of arrays: in, and out. */
 typedef struct kernel_batch {
     /* in */
     _Alignas(64) double r[3][KERNEL_BATCH]; /* A0 - B0, um */
     double d1[3][KERNEL_BATCH], d2[3][KERNEL_BATCH];
     double radii[KERNEL_BATCH]; /* r_A + r_B */
     double rests[KERNEL_BATCH]; /* L_A L_B */
-    double side[KERNEL_BATCH];  /* 1: the owner of the entry is A; -1: B */
-    /* out */
-    double place[KERNEL_BATCH];    /* of the contact on the owner: s or t */
-    double force[3][KERNEL_BATCH]; /* on the owner, 1e-21 N */
-    double last[3][KERNEL_BATCH];  /* of that, on its last particle */
-    double square[KERNEL_BATCH];   /* squared distance, um2 */
-    double g[KERNEL_BATCH], reach[KERNEL_BATCH];
+    /* out: of contact_result */
+    double s[KERNEL_BATCH], t[KERNEL_BATCH], delta[3][KERNEL_BATCH];
+    double square[KERNEL_BATCH], g[KERNEL_BATCH], reach[KERNEL_BATCH];
 } kernel_batch;
+
+/* The i-th pair, of two capsules of a list: where their axes lie, and what a contact takes beside. */
+DIMENSIONS_INLINE void kernel_batch_axes(kernel_batch *batch, size_t i, const void *capsules, size_t slot_a,
+                                         size_t slot_b, int dimensions) {
+    const double *a = (const double *)capsules + capsule_place(slot_a, dimensions == 2);
+    const double *b = (const double *)capsules + capsule_place(slot_b, dimensions == 2);
+    for (int k = 0; k < dimensions; k++) {
+        batch->r[k][i] = a[k] - b[k];
+        batch->d1[k][i] = a[CAPSULE_AXIS + k];
+        batch->d2[k][i] = b[CAPSULE_AXIS + k];
+    }
+}
+
+DIMENSIONS_INLINE void kernel_batch_pair(kernel_batch *batch, size_t i, const void *capsules, size_t slot_a,
+                                         size_t slot_b, int dimensions) {
+    const double *a = (const double *)capsules + capsule_place(slot_a, dimensions == 2);
+    const double *b = (const double *)capsules + capsule_place(slot_b, dimensions == 2);
+    const int rest = capsule_rest(dimensions);
+    kernel_batch_axes(batch, i, capsules, slot_a, slot_b, dimensions);
+    batch->radii[i] = a[dimensions] + b[dimensions];
+    batch->rests[i] = a[rest] * b[rest];
+}
 
 enum { KERNEL_SEGMENTS, KERNEL_SPHERES }; /* what touches: contact_kernel.contact[...] */
 enum { KERNEL_SPACE, KERNEL_PLANE };      /* [...][...] */
@@ -58,10 +76,9 @@ typedef struct kernel_flight {
 
 typedef struct contact_kernel {
     const char *name; /* "avx512", "avx2", "base" */
-    /* Contacts of the first n pairs, by what touches and where; a sphere's axis and, in the
-     * plane, z components are neither read nor written. Returns how many touch with coincident axes, which have no
-     * direction. */
-    size_t (*contact[2][2])(const contact_law_values *law, size_t n, kernel_batch *b);
+    /* Contacts of the first n pairs, by what touches and where; a sphere's axis and, in the plane, z components are
+     * neither read nor written. */
+    void (*contact[2][2])(const contact_law_values *law, size_t n, kernel_batch *b);
     /* Squared distances of the axes of the first n pairs, by the same; nothing but r, d1, d2 is read. */
     void (*apart[2][2])(size_t n, kernel_batch *b);
     /* Sums the contacts of some bodies with all their partners, each in the order of its row, by what touches and

@@ -9,26 +9,16 @@
 #define KERNEL_JOIN(a, b) KERNEL_JOIN_(a, b)
 
 KERNEL_INLINE void store(int dimensions, kernel_batch *b, size_t i, const contact_result *c) {
-    const double place = b->side[i] > 0 ? c->s : c->t, scale = b->side[i] * c->scale;
-    b->place[i] = place;
-    for (int k = 0; k < dimensions; k++) {
-        double force = scale * c->delta[k];
-        b->force[k][i] = force;
-        b->last[k][i] = place * force;
-    }
+    b->s[i] = c->s;
+    b->t[i] = c->t;
+    for (int k = 0; k < dimensions; k++)
+        b->delta[k][i] = c->delta[k];
     b->square[i] = c->square;
     b->g[i] = c->g;
     b->reach[i] = c->reach;
 }
 
-static size_t count_coincident(size_t n, const kernel_batch *b) {
-    size_t coincident = 0;
-    for (size_t i = 0; i < n; i++)
-        coincident += b->square[i] < CONTACT_COINCIDENT * CONTACT_COINCIDENT && b->g[i] < b->reach[i];
-    return coincident;
-}
-
-KERNEL_INLINE size_t contact_in(int dimensions, const contact_law_values *law, size_t n, kernel_batch *b) {
+KERNEL_INLINE void contact_in(int dimensions, const contact_law_values *law, size_t n, kernel_batch *b) {
     const contact_law_values l = *law;
     for (size_t i = 0; i < n; i++) {
         contact_pair p = {.radii = b->radii[i], .rests = b->rests[i]};
@@ -40,10 +30,9 @@ KERNEL_INLINE size_t contact_in(int dimensions, const contact_law_values *law, s
         contact_result c = contact_compute_in(dimensions, l, p);
         store(dimensions, b, i, &c);
     }
-    return count_coincident(n, b);
 }
 
-KERNEL_INLINE size_t sphere_in(int dimensions, const contact_law_values *law, size_t n, kernel_batch *b) {
+KERNEL_INLINE void sphere_in(int dimensions, const contact_law_values *law, size_t n, kernel_batch *b) {
     const contact_law_values l = *law;
     for (size_t i = 0; i < n; i++) {
         contact_pair p = {.radii = b->radii[i]};
@@ -52,23 +41,22 @@ KERNEL_INLINE size_t sphere_in(int dimensions, const contact_law_values *law, si
         contact_result c = contact_compute_in(dimensions, l, p);
         store(dimensions, b, i, &c);
     }
-    return count_coincident(n, b);
 }
 
-static size_t contact(const contact_law_values *law, size_t n, kernel_batch *b) {
-    return contact_in(3, law, n, b);
+static void contact(const contact_law_values *law, size_t n, kernel_batch *b) {
+    contact_in(3, law, n, b);
 }
 
-static size_t contact_flat(const contact_law_values *law, size_t n, kernel_batch *b) {
-    return contact_in(2, law, n, b);
+static void contact_flat(const contact_law_values *law, size_t n, kernel_batch *b) {
+    contact_in(2, law, n, b);
 }
 
-static size_t sphere(const contact_law_values *law, size_t n, kernel_batch *b) {
-    return sphere_in(3, law, n, b);
+static void sphere(const contact_law_values *law, size_t n, kernel_batch *b) {
+    sphere_in(3, law, n, b);
 }
 
-static size_t sphere_flat(const contact_law_values *law, size_t n, kernel_batch *b) {
-    return sphere_in(2, law, n, b);
+static void sphere_flat(const contact_law_values *law, size_t n, kernel_batch *b) {
+    sphere_in(2, law, n, b);
 }
 
 KERNEL_INLINE void apart_in(int dimensions, size_t n, kernel_batch *b) {

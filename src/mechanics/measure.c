@@ -184,8 +184,8 @@ static void find_stiffest(mechanics *m, const double *x, force_kind term, size_t
     const force_frame at = state_frame(m, x, NULL);
     m->stiff.count = 0;
     const force_style *style = force_styles[term];
-    for (size_t slot = 0; slot < m->nbodies && style->stiffness; slot++)
-        style->stiffness(m->forces.term[term].p, &at, slot, &m->stiff);
+    if (style->stiffness)
+        style->stiffness(m->forces.term[term].p, &at, m->by_id, m->nbodies, &m->stiff);
     for (size_t i = 0; i < m->nchains && style->stiffness_chain; i++)
         style->stiffness_chain(m->forces.term[term].p, &at, i, &m->stiff);
     for (size_t i = 0; i < m->stiff.count; i++) {

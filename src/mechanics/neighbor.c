@@ -64,13 +64,13 @@ size_t neighbor_rows(const neighbor *list, size_t group, size_t begin, uint32_t 
 /* What one thread gathers: for a stretch of slots, the partners above each that are near enough. */
 typedef struct gatherer {
     const neighbor *list;
+    grid_search search; /* slots whose boxes meet */
     const body *bodies;
     const void *capsules;
     const contact_kernel *kernel;
     double reach, beyond;        /* pairs within reach (r_A + r_B) + beyond, um, and their leeways */
-    uint32_t *found;             /* slots whose boxes meet */
     uint32_t *owners, *partners; /* pairs, by owner */
-    size_t found_capacity, owners_capacity, partners_capacity, count;
+    size_t owners_capacity, partners_capacity, count;
     size_t nbatch; /* candidates that wait in the batch */
     uint32_t batch_owner[KERNEL_BATCH], batch_partner[KERNEL_BATCH];
     kernel_batch batch;
@@ -96,26 +96,19 @@ static void filter(gatherer *w) {
 DIMENSIONS_INLINE void load_candidate(gatherer *w, uint32_t slot, uint32_t partner, int dimensions) {
     if (w->nbatch == KERNEL_BATCH)
         filter(w);
-    const double *own = (const double *)w->capsules + capsule_place(slot, dimensions == 2);
-    const double *other = (const double *)w->capsules + capsule_place(partner, dimensions == 2);
-    kernel_batch *b = &w->batch;
+    kernel_batch_axes(&w->batch, w->nbatch, w->capsules, slot, partner, dimensions);
     size_t i = w->nbatch++;
-    for (int k = 0; k < dimensions; k++) {
-        b->r[k][i] = own[k] - other[k];
-        b->d1[k][i] = own[CAPSULE_AXIS + k];
-        b->d2[k][i] = other[CAPSULE_AXIS + k];
-    }
     w->batch_owner[i] = slot;
     w->batch_partner[i] = partner;
 }
 
 DIMENSIONS_INLINE void gather_in(gatherer *w, size_t begin, size_t end, int dimensions) {
     for (size_t slot = begin; slot < end; slot++) {
-        size_t nfound = grid_search(&w->list->grid, slot, &w->found, &w->found_capacity);
+        size_t nfound = grid_find(&w->search, (uint32_t)slot);
         for (size_t i = 0; i < nfound; i++)
             if (!SARCINA_FLEXIBLE || !w->list->chained ||
-                !body_is_joined(&w->bodies[slot], &w->bodies[w->found[i]], w->reach))
-                load_candidate(w, (uint32_t)slot, w->found[i], dimensions);
+                !body_is_joined(&w->bodies[slot], &w->bodies[w->search.found[i]], w->reach))
+                load_candidate(w, (uint32_t)slot, w->search.found[i], dimensions);
     }
     filter(w);
 }
@@ -141,7 +134,7 @@ static void gather_all(gatherer *w, size_t n) {
 }
 
 static void free_gatherer(gatherer *w) {
-    free(w->found);
+    grid_search_free(&w->search);
     free(w->owners);
     free(w->partners);
 }
@@ -300,6 +293,7 @@ void neighbor_build(neighbor *list, const body *bodies, const void *capsules, do
     for (int p = 0; p < threads; p++) {
         gatherer *w = &parts[p];
         w->list = list;
+        w->search.g = &list->grid;
         w->bodies = bodies;
         w->capsules = capsules;
         w->kernel = kernel;

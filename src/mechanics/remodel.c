@@ -106,8 +106,7 @@ static size_t find_anchors(const mechanics *m, uint32_t *rows) {
 
 /* Keeps those of the batch whose axes are near enough. */
 static void sift(seeker *s) {
-    static const contact_law_values law = {1, 1, 0};
-    s->m->kernel->contact[s->m->cocci][s->m->flat](&law, s->nbatch, &s->batch);
+    s->m->kernel->apart[s->m->cocci][s->m->flat](s->nbatch, &s->batch);
     s->found = alloc_grow(s->found, &s->capacity, s->count + s->nbatch, sizeof *s->found);
     for (size_t i = 0; i < s->nbatch; i++) {
         s->found[s->count] = s->candidates[i];
@@ -120,22 +119,14 @@ static void sift(seeker *s) {
 static void consider(seeker *s, uint32_t slot, uint32_t partner, double form) {
     if (s->nbatch == KERNEL_BATCH)
         sift(s);
-    capsule room[2];
-    const capsule *a = capsule_get(s->m->capsules, slot, s->m->flat, &room[0]);
-    const capsule *b = capsule_get(s->m->capsules, partner, s->m->flat, &room[1]);
     const body *p = &s->m->bodies[slot], *q = &s->m->bodies[partner];
-    kernel_batch *batch = &s->batch;
     size_t i = s->nbatch++;
-    for (int k = 0; k < 3; k++) {
-        batch->r[k][i] = a->x[k] - b->x[k];
-        batch->d1[k][i] = a->d[k];
-        batch->d2[k][i] = b->d[k];
-    }
-    batch->radii[i] = a->radius + b->radius;
-    batch->rests[i] = 0;
-    batch->side[i] = 1;
+    if (s->m->flat)
+        kernel_batch_axes(&s->batch, i, s->m->capsules, slot, partner, 2);
+    else
+        kernel_batch_axes(&s->batch, i, s->m->capsules, slot, partner, 3);
     s->candidates[i] = (stick_pair){p->id, q->id, p->row, q->row};
-    s->limit[i] = a->radius + b->radius + form;
+    s->limit[i] = p->radius + q->radius + form;
 }
 
 /* Notes which cells the body's own is linked to. */

@@ -6,7 +6,6 @@
 
 #include "base/alloc.h"
 #include "base/rng.h"
-#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,34 +14,70 @@
 enum { ITERATIONS_FRESH = 60, ITERATIONS_AGAIN = 6 };
 static const double tolerance = 0.01;
 
+/* Bodies whose springs are found at once: terms take many together, and their springs are then put in order. */
+enum { AT_ONCE = 64 };
+
+/* What the terms have to say of some bodies, term after term: body after body, and the terms of one in their order. */
+static void order_springs(const stiff_list *found, const size_t *begin, size_t n, stiff_list *out) {
+    size_t next[FORCE_COUNT];
+    memcpy(next, begin, sizeof next);
+    out->list = alloc_grow(out->list, &out->capacity, out->count + found->count, sizeof *out->list);
+    for (size_t i = 0; i < n; i++)
+        for (int term = 0; term < FORCE_COUNT; term++)
+            for (; next[term] < begin[term + 1] && found->list[next[term]].of == i; next[term]++)
+                out->list[out->count++] = found->list[next[term]];
+}
+
 void state_springs(const mechanics *m, const double *x, bool chains, stiff_list *out) {
     const force_frame at = state_frame(m, x, NULL);
+    stiff_list found = {.curved = out->curved};
     out->count = 0;
-    for (size_t rank = 0; rank < m->nbodies; rank++)
-        for (int i = 0; i < FORCE_COUNT; i++)
+    for (size_t rank = 0; rank < m->nbodies; rank += AT_ONCE) {
+        const size_t n = rank + AT_ONCE < m->nbodies ? AT_ONCE : m->nbodies - rank;
+        size_t begin[FORCE_COUNT + 1] = {0};
+        found.count = 0;
+        for (int i = 0; i < FORCE_COUNT; i++) {
             if (m->forces.term[i].on && force_styles[i]->stiffness)
-                force_styles[i]->stiffness(m->forces.term[i].p, &at, m->by_id[rank], out);
+                force_styles[i]->stiffness(m->forces.term[i].p, &at, m->by_id + rank, n, &found);
+            begin[i + 1] = found.count;
+        }
+        order_springs(&found, begin, n, out);
+    }
+    free(found.list);
     for (size_t c = 0; chains && c < m->nchains; c++)
         for (int i = 0; i < FORCE_COUNT; i++)
             if (m->forces.term[i].on && force_styles[i]->stiffness_chain)
                 force_styles[i]->stiffness_chain(m->forces.term[i].p, &at, c, out);
 }
 
-/* The springs that act, weights divided by the root of the particle's mass. */
-static void collect(mechanics *m, const double *x, bool chains) {
-    double *root = m->scratch;
-    for (size_t p = 0; p < m->nparticles; p++)
-        root[p] = sqrt(m->mass[p]);
-    state_springs(m, x, chains, &m->stiff);
-    for (size_t i = 0; i < m->stiff.count; i++)
-        for (uint32_t j = 0; j < m->stiff.list[i].count; j++)
-            for (int k = 0; k < 3; k++)
-                m->stiff.list[i].g[j][k] /= root[m->stiff.list[i].particle[j]];
-}
-
 DIMENSIONS_INLINE double dot_in(const double *a, const double *b, int dimensions) {
     double sum = a[0] * b[0] + a[1] * b[1];
     return dimensions > 2 ? sum + a[2] * b[2] : sum;
+}
+
+/* The springs that act, weights divided by the root of the particle's mass. Returns what no eigenvalue is larger than:
+ * of a spring with n ends (sum of g . x)^2 <= n sum of |g|^2 |x|^2 (Cauchy, Schwarz). */
+static double collect(mechanics *m, const double *x, bool chains) {
+    double *root = m->scratch, *sums = root + m->nparticles, most = 0;
+    const int dimensions = state_dimensions(m);
+    for (size_t p = 0; p < m->nparticles; p++) {
+        root[p] = sqrt(m->mass[p]);
+        sums[p] = 0;
+    }
+    state_springs(m, x, chains, &m->stiff);
+    for (size_t i = 0; i < m->stiff.count; i++) {
+        stiff_spring *s = &m->stiff.list[i];
+        const double weight = fabs(s->k) * s->count;
+        for (uint32_t j = 0; j < s->count; j++) {
+            const uint32_t p = s->particle[j];
+            for (int k = 0; k < 3; k++)
+                s->g[j][k] /= root[p];
+            sums[p] += weight * dot_in(s->g[j], s->g[j], dimensions);
+        }
+    }
+    for (size_t p = 0; p < m->nparticles; p++)
+        most = sums[p] > most ? sums[p] : most;
+    return most;
 }
 
 /* k g g' mode of one spring with that many ends. */
@@ -89,8 +124,28 @@ DIMENSIONS_INLINE double sum_in(const mechanics *m, const double *a, const doubl
     return sum;
 }
 
-DIMENSIONS_INLINE double dot(const mechanics *m, const double *a, const double *b) {
+static double dot(const mechanics *m, const double *a, const double *b) {
     return m->flat ? sum_in(m, a, b, 2) : sum_in(m, a, b, 3);
+}
+
+/* a . a, a . b and b . b: three sums side by side take no longer than one. */
+typedef struct products {
+    double aa, ab, bb;
+} products;
+
+DIMENSIONS_INLINE products multiply_in(const mechanics *m, const double *a, const double *b, int dimensions) {
+    products sum = {0, 0, 0};
+    for (size_t i = 0; i < m->nparticles; i++) {
+        const size_t p = (size_t)dimensions * m->order[i];
+        sum.aa += dot_in(a + p, a + p, dimensions);
+        sum.ab += dot_in(a + p, b + p, dimensions);
+        sum.bb += dot_in(b + p, b + p, dimensions);
+    }
+    return sum;
+}
+
+static products multiply(const mechanics *m, const double *a, const double *b) {
+    return m->flat ? multiply_in(m, a, b, 2) : multiply_in(m, a, b, 3);
 }
 
 static void draw_start(mechanics *m) {
@@ -114,31 +169,15 @@ static void start(mechanics *m, double *mode) {
     memcpy(mode, m->start, state_components(m) * sizeof *mode);
 }
 
-/* No eigenvalue is larger (Gershgorin): the largest sum of absolute values over a row of particles. */
-static double upper_bound(mechanics *m) {
-    double *sums = m->scratch, most = 0;
-    memset(sums, 0, m->nparticles * sizeof *sums);
-    for (size_t i = 0; i < m->stiff.count; i++) {
-        const stiff_spring *s = &m->stiff.list[i];
-        double lengths[TABLE_COUNT(s->g)], all = 0;
-        for (uint32_t j = 0; j < s->count; j++)
-            all += lengths[j] = sqrt(dot_in(s->g[j], s->g[j], state_dimensions(m)));
-        for (uint32_t j = 0; j < s->count; j++)
-            sums[s->particle[j]] += fabs(s->k) * all * lengths[j];
-    }
-    for (size_t p = 0; p < m->nparticles; p++)
-        most = fmax(most, sums[p]);
-    return most;
-}
-
 /* Has something come to act that is far stiffer than `value`, in which the mode has no part yet? A few steps from a new
  * start see that, unless nothing can be. */
-static bool is_stiffer(mechanics *m, double *probe, double value) {
+static bool is_stiffer(mechanics *m, double value, double bound) {
     enum { STEPS = 3 };
     static const double far = 10;
     double size = 0, before = 0;
-    if (upper_bound(m) * (1 + 1e-9) <= far * value)
+    if (bound * (1 + 1e-9) <= far * value)
         return false;
+    double *probe = alloc_zeroed(state_components(m), sizeof *probe);
     start(m, probe);
     for (int i = 0; i < STEPS; i++) {
         before = sqrt(dot(m, probe, probe));
@@ -146,21 +185,21 @@ static bool is_stiffer(mechanics *m, double *probe, double value) {
         size = sqrt(dot(m, m->scratch, m->scratch));
         memcpy(probe, m->scratch, state_components(m) * sizeof *probe);
     }
+    free(probe);
     return size > far * value * before;
 }
 
-/* By power iteration. */
-static double iterate(mechanics *m, double *mode) {
-    double square = dot(m, mode, mode), value = 0;
-    int most = square > 0 ? ITERATIONS_AGAIN : ITERATIONS_FRESH;
-    if (square == 0)
+/* By power iteration, from the mode that was found before or from a new start. */
+static double iterate(mechanics *m, double *mode, bool again) {
+    double value = 0;
+    int most = again ? ITERATIONS_AGAIN : ITERATIONS_FRESH;
+    if (!again)
         start(m, mode);
     for (int i = 0; i < most; i++) {
         apply(m, mode, m->scratch);
-        double before = value;
-        square = dot(m, mode, mode);
-        value = dot(m, mode, m->scratch) / square;
-        double norm = sqrt(dot(m, m->scratch, m->scratch));
+        const products of = multiply(m, mode, m->scratch);
+        double before = value, norm = sqrt(of.bb);
+        value = of.ab / of.aa;
         if (!(norm > 0))
             return 0;
         for (size_t j = 0; j < state_components(m); j++)
@@ -175,18 +214,12 @@ static double iterate(mechanics *m, double *mode) {
 static double find(mechanics *m, const double *x, double *mode, bool chains) {
     if (!state_refresh(m, x))
         return NAN;
-    collect(m, x, chains);
+    const double bound = collect(m, x, chains);
     if (m->stiff.count == 0)
         return 0;
     bool again = dot(m, mode, mode) > 0;
-    double value = iterate(m, mode);
-    double *probe = again ? alloc_zeroed(state_components(m), sizeof *probe) : NULL;
-    if (again && is_stiffer(m, probe, value)) {
-        memset(mode, 0, state_components(m) * sizeof *mode);
-        value = iterate(m, mode);
-    }
-    free(probe);
-    return value;
+    double value = iterate(m, mode, again);
+    return again && is_stiffer(m, value, bound) ? iterate(m, mode, false) : value;
 }
 
 double mechanics_stiffness_from(mechanics *m, const double *x, double *mode) {

@@ -101,16 +101,14 @@ static void stiffness_chain(const double *p, const force_frame *at, size_t index
         if (!find_joint(at, c, i, &j))
             continue;
         uint32_t row = c->first + i;
-        stiff_spring *s = force_spring_add(out);
-        s->k = c->bend_k;
+        stiff_spring *s = force_spring_add(out, 0, c->bend_k);
         add_end(s, row - 1, j.before);
         add_end(s, row, vec3_scale(-1, vec3_add(j.before, j.after)));
         add_end(s, row + 1, j.after);
         double part = j.sine > least_sine ? (j.theta - c->theta) / j.sine : c->theta > 0 ? 0 : 1;
         if (!(part > 0))
             continue;
-        s = force_spring_add(out);
-        s->k = c->bend_k * fmin(part, 4);
+        s = force_spring_add(out, 0, c->bend_k * fmin(part, 4));
         add_end(s, row - 1, vec3_scale(1 / j.la, j.m));
         add_end(s, row, vec3_scale(-1 / j.la - 1 / j.lb, j.m));
         add_end(s, row + 1, vec3_scale(1 / j.lb, j.m));

@@ -175,13 +175,16 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
     return sum;
 }
 
+/* Two bodies that touch, the one of lower id first, and the first one's place among those asked for. */
+typedef struct touching {
+    uint32_t slot, partner, of;
+} touching;
+
 /* The spring of a contact, its ends shared by the lever rule; along the direction in which the force acts. */
-static void add_spring(const force_frame *at, size_t slot, uint32_t partner, const contact_result *c, double k,
-                       stiff_list *out) {
-    const body *pair[2] = {&at->bodies[slot], &at->bodies[partner]};
+static void add_spring(const force_frame *at, const touching *who, const contact_result *c, double k, stiff_list *out) {
+    const body *pair[2] = {&at->bodies[who->slot], &at->bodies[who->partner]};
     const double place[2] = {c->s, c->t};
-    stiff_spring *spring = force_spring_add(out);
-    spring->k = k;
+    stiff_spring *spring = force_spring_add(out, who->of, k);
     double length = sqrt(c->square), u[3];
     for (int i = 0; i < 3; i++)
         u[i] = c->delta[i] / length;
@@ -231,20 +234,20 @@ static slide find_slide(const capsule *a, const capsule *b, const contact_result
 }
 
 /* One spring of those: g = part / root of the pivot. */
-static void add_slide(const body *const pair[2], double part[4][3], double pivot, double k, stiff_list *out) {
-    stiff_spring *spring = force_spring_add(out);
-    spring->k = k;
+static void add_slide(const body *const pair[2], uint32_t of, double part[4][3], double pivot, double k,
+                      stiff_list *out) {
+    stiff_spring *spring = force_spring_add(out, of, k);
     for (uint32_t end = 0; end < 4; end++)
         if (end % 2 == 0 || pair[end / 2]->count > 1)
             force_spring_end(spring, pair[end / 2]->first + end % 2, 1 / sqrt(pivot), part[end]);
 }
 
-static void add_slides(const force_frame *at, contact_law_values law, size_t slot, uint32_t partner,
-                       const contact_result *c, stiff_list *out) {
-    const body *const pair[2] = {&at->bodies[slot], &at->bodies[partner]};
+static void add_slides(const force_frame *at, contact_law_values law, const touching *who, const contact_result *c,
+                       stiff_list *out) {
+    const body *const pair[2] = {&at->bodies[who->slot], &at->bodies[who->partner]};
     capsule room[2];
-    const capsule *a = capsule_get(at->capsules, slot, at->flat, &room[0]),
-                  *b = capsule_get(at->capsules, partner, at->flat, &room[1]);
+    const capsule *a = capsule_get(at->capsules, who->slot, at->flat, &room[0]),
+                  *b = capsule_get(at->capsules, who->partner, at->flat, &room[1]);
     double square = law.reach * (a->radius + b->radius), rests = a->rest * b->rest;
     square *= square;
     const double root = sqrt(c->g), k = law.k * contact_overlap(c) / root;
@@ -253,7 +256,7 @@ static void add_slides(const force_frame *at, contact_law_values law, size_t slo
     if (!(root > CONTACT_COINCIDENT))
         return;
     if (free_s)
-        add_slide(pair, v.part[0], v.diagonal[0], k, out);
+        add_slide(pair, who->of, v.part[0], v.diagonal[0], k, out);
     double pivot = v.diagonal[1] - (free_s ? v.across * v.across / v.diagonal[0] : 0);
     if (!free_t || !(pivot > CONTACT_PARALLEL * v.diagonal[1]))
         return;
@@ -261,19 +264,57 @@ static void add_slides(const force_frame *at, contact_law_values law, size_t slo
     for (int end = 0; end < 4; end++)
         for (int i = 0; i < 3; i++)
             rest[end][i] = v.part[1][end][i] - (free_s ? v.across / v.diagonal[0] * v.part[0][end][i] : 0);
-    add_slide(pair, rest, pivot, k, out);
+    add_slide(pair, who->of, rest, pivot, k, out);
 }
 
-static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
-    contact_law_values law = law_of(p);
-    neighbor_row row = neighbor_get(at->neighbor, at->bodies, slot);
-    for (size_t i = 0; i < row.nupper; i++) {
-        contact_result c = contact_with(at, law, slot, row.upper[i]);
-        if (c.g < c.reach)
-            add_spring(at, slot, row.upper[i], &c, law.k, out);
-        if (c.g < c.reach && out->curved && !at->cocci)
-            add_slides(at, law, slot, row.upper[i], &c, out);
+/* Pairs of a few bodies at once. */
+typedef struct pairs {
+    size_t n;
+    touching who[KERNEL_BATCH];
+    kernel_batch batch;
+} pairs;
+
+static void flush_springs(const force_frame *at, contact_law_values law, pairs *w, stiff_list *out) {
+    const kernel_batch *b = &w->batch;
+    at->kernel->contact[at->cocci][at->flat](&law, w->n, &w->batch);
+    for (size_t i = 0; i < w->n; i++) {
+        if (!(b->g[i] < b->reach[i]))
+            continue;
+        const double z = at->flat ? 0 : b->delta[2][i];
+        const contact_result c = {.s = b->s[i],
+                                  .t = b->t[i],
+                                  .delta = {b->delta[0][i], b->delta[1][i], z},
+                                  .square = b->square[i],
+                                  .g = b->g[i],
+                                  .reach = b->reach[i]};
+        add_spring(at, &w->who[i], &c, law.k, out);
+        if (out->curved && !at->cocci)
+            add_slides(at, law, &w->who[i], &c, out);
     }
+    w->n = 0;
+}
+
+COLLISION_INLINE void add_springs(const force_frame *at, contact_law_values law, const uint32_t *slots, size_t n,
+                                  stiff_list *out, int dimensions) {
+    pairs w;
+    w.n = 0;
+    for (uint32_t of = 0; of < n; of++) {
+        neighbor_row row = neighbor_get(at->neighbor, at->bodies, slots[of]);
+        for (size_t i = 0; i < row.nupper; i++) {
+            if (w.n == KERNEL_BATCH)
+                flush_springs(at, law, &w, out);
+            kernel_batch_pair(&w.batch, w.n, at->capsules, slots[of], row.upper[i], dimensions);
+            w.who[w.n++] = (touching){slots[of], row.upper[i], of};
+        }
+    }
+    flush_springs(at, law, &w, out);
+}
+
+static void stiffness(const double *p, const force_frame *at, const uint32_t *slots, size_t n, stiff_list *out) {
+    if (at->flat)
+        add_springs(at, law_of(p), slots, n, out, 2);
+    else
+        add_springs(at, law_of(p), slots, n, out, 3);
 }
 
 /* Each of two equal cells sees the other give way. */

@@ -32,17 +32,22 @@ static double force(const double *p, double d) {
 /* Particles of a few bodies at once: the exponential comes by the vector. */
 typedef struct batch {
     size_t n;
-    uint32_t particle[KERNEL_BATCH];
+    uint32_t particle[KERNEL_BATCH], of[KERNEL_BATCH];
     double gap[KERNEL_BATCH], exponent[KERNEL_BATCH], power[KERNEL_BATCH];
 } batch;
 
-static void flush(const double *p, const force_frame *at, batch *b, double *f) {
+/* power = exp(-kappa gap) */
+static void raise_power(const double *p, const force_frame *at, batch *b) {
     size_t padded = (b->n + KERNEL_LANES - 1) / KERNEL_LANES * KERNEL_LANES;
     for (size_t i = 0; i < b->n; i++)
         b->exponent[i] = -p[DLVO_KAPPA] * b->gap[i];
     for (size_t i = b->n; i < padded; i++)
         b->exponent[i] = 0;
     at->kernel->exponential(padded, b->exponent, b->power);
+}
+
+static void flush(const double *p, const force_frame *at, batch *b, double *f) {
+    raise_power(p, at, b);
     for (size_t i = 0; i < b->n; i++) {
         double d = b->gap[i], force_z = p[DLVO_KAPPA] * (p[DLVO_CES] * b->power[i]) - p[DLVO_CVDW] / (d * d);
         f[3 * (size_t)b->particle[i] + 2] += force_z;
@@ -76,15 +81,33 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
 }
 
 /* |dF/dz| where the law is not held: it acts as a spring of that constant. */
-static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
-    const body *b = &at->bodies[slot];
-    for (uint32_t i = b->first; i < b->first + b->owned; i++) {
-        double d = gap(at, b, i);
-        if (d != held(p, d))
-            continue;
-        double k = p[DLVO_KAPPA] * p[DLVO_KAPPA] * repulsion(p, d) - 2 * p[DLVO_CVDW] / (d * d * d);
-        *force_spring_add(out) = (stiff_spring){{i}, {{0, 0, 1}}, fabs(k), 1, 0};
+static void flush_springs(const double *p, const force_frame *at, batch *b, stiff_list *out) {
+    raise_power(p, at, b);
+    for (size_t i = 0; i < b->n; i++) {
+        double d = b->gap[i];
+        double k = p[DLVO_KAPPA] * p[DLVO_KAPPA] * (p[DLVO_CES] * b->power[i]) - 2 * p[DLVO_CVDW] / (d * d * d);
+        force_spring_along_z(out, b->of[i], fabs(k), b->particle[i]);
     }
+    b->n = 0;
+}
+
+static void stiffness(const double *p, const force_frame *at, const uint32_t *slots, size_t n, stiff_list *out) {
+    batch b;
+    b.n = 0;
+    for (size_t i = 0; i < n; i++) {
+        const body *owner = &at->bodies[slots[i]];
+        for (uint32_t particle = owner->first; particle < owner->first + owner->owned; particle++) {
+            double d = gap(at, owner, particle);
+            if (d != held(p, d))
+                continue;
+            if (b.n == KERNEL_BATCH)
+                flush_springs(p, at, &b, out);
+            b.particle[b.n] = particle;
+            b.of[b.n] = (uint32_t)i;
+            b.gap[b.n++] = d;
+        }
+    }
+    flush_springs(p, at, &b, out);
 }
 
 /* Half the steepest slope, which stands at the clamp alone. */

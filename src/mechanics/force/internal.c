@@ -52,20 +52,21 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
     return 0.5 * b->internal_k * stretch * stretch;
 }
 
-static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
+static void stiffness(const double *p, const force_frame *at, const uint32_t *slots, size_t n, stiff_list *out) {
     (void)p;
-    const body *b = &at->bodies[slot];
-    if (b->count != 2 || b->internal_k == 0)
-        return;
-    stiff_spring *s = force_spring_add(out);
     const int dimensions = force_dimensions(at);
-    const double *x = at->x + (size_t)dimensions * b->first;
-    double u[3], length = spring_direction(x, x + dimensions, at, body_particle_key(b, b->first),
-                                           body_particle_key(b, b->first + 1), u);
-    s->k = b->internal_k;
-    s->pull = force_spring_pull(s->k, b->rest, length);
-    force_spring_end(s, b->first, 1, u);
-    force_spring_end(s, b->first + 1, -1, u);
+    for (size_t i = 0; i < n; i++) {
+        const body *b = &at->bodies[slots[i]];
+        if (b->count != 2 || b->internal_k == 0)
+            continue;
+        stiff_spring *s = force_spring_add(out, i, b->internal_k);
+        const double *x = at->x + (size_t)dimensions * b->first;
+        double u[3], length = spring_direction(x, x + dimensions, at, body_particle_key(b, b->first),
+                                               body_particle_key(b, b->first + 1), u);
+        s->pull = force_spring_pull(s->k, b->rest, length);
+        force_spring_end(s, b->first, 1, u);
+        force_spring_end(s, b->first + 1, -1, u);
+    }
 }
 
 /* Stretch of a chain's i-th segment, and its direction. */
@@ -102,8 +103,7 @@ static void stiffness_chain(const double *p, const force_frame *at, size_t index
     const chain *c = &at->chains[index];
     for (uint32_t i = 0; c->internal_k > 0 && i + 1 < c->count; i++) {
         double u[3], stretch = stretch_of(at, c, i, u);
-        stiff_spring *s = force_spring_add(out);
-        s->k = c->internal_k;
+        stiff_spring *s = force_spring_add(out, 0, c->internal_k);
         s->pull = force_spring_pull(s->k, c->rest, c->rest + stretch);
         force_spring_end(s, c->first + i, 1, u);
         force_spring_end(s, c->first + i + 1, -1, u);

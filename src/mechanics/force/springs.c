@@ -124,24 +124,28 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
     return sum;
 }
 
-static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
-    (void)p;
+/* Those of one body. */
+static void add_stiffness(const force_frame *at, const body *b, size_t of, stiff_list *out) {
     const spring_index *index = at->springs;
-    const body *b = &at->bodies[slot];
     for (uint32_t i = b->first; i < b->first + b->owned; i++)
         for (uint32_t e = index->start[i]; e < index->start[i + 1]; e++) {
             const spring_end *end = &index->ends[e];
             if (!is_owner(at, end, i))
                 continue;
-            stiff_spring *s = force_spring_add(out);
+            stiff_spring *s = force_spring_add(out, of, index->springs->k[end->spring]);
             double u[3], length = reach_end(at, end, body_particle_key(b, i), i, u);
-            s->k = index->springs->k[end->spring];
             if (!index->springs->glides[end->spring])
                 s->pull = force_spring_pull(s->k, index->springs->rest[end->spring], length);
             force_spring_end(s, i, 1, u);
             if (end->other != SPRING_ANCHOR)
                 force_spring_end(s, end->other, -1, u);
         }
+}
+
+static void stiffness(const double *p, const force_frame *at, const uint32_t *slots, size_t n, stiff_list *out) {
+    (void)p;
+    for (size_t i = 0; i < n; i++)
+        add_stiffness(at, &at->bodies[slots[i]], i, out);
 }
 
 const force_style force_springs = {

@@ -28,11 +28,13 @@ static double energy(const double *p, const force_frame *at, size_t slot) {
     return sum;
 }
 
-static void stiffness(const double *p, const force_frame *at, size_t slot, stiff_list *out) {
-    const body *b = &at->bodies[slot];
-    for (uint32_t i = b->first; i < b->first + b->owned; i++)
-        if (depth(p, at, b, i) > 0)
-            *force_spring_add(out) = (stiff_spring){{i}, {{0, 0, 1}}, p[SUBSTRATUM_K], 1, 0};
+static void stiffness(const double *p, const force_frame *at, const uint32_t *slots, size_t n, stiff_list *out) {
+    for (size_t i = 0; i < n; i++) {
+        const body *b = &at->bodies[slots[i]];
+        for (uint32_t particle = b->first; particle < b->first + b->owned; particle++)
+            if (depth(p, at, b, particle) > 0)
+                force_spring_along_z(out, i, p[SUBSTRATUM_K], particle);
+    }
 }
 
 static double contact_stiffness(const double *p) {

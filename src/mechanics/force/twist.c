@@ -107,8 +107,7 @@ static void stiffness_chain(const double *p, const force_frame *at, size_t index
         torsion t;
         if (!find_torsion(at, ch, i, &t))
             continue;
-        stiff_spring *s = force_spring_add(out);
-        s->k = ch->twist_k * t.w;
+        stiff_spring *s = force_spring_add(out, 0, ch->twist_k * t.w);
         for (uint32_t j = 0; j < 4; j++) {
             double g[3];
             vec3_store(g, t.phi[j]);
