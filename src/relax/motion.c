@@ -34,15 +34,34 @@ void motion_force_outside(motion *mo, const double *x, double *f) {
     mo->evaluations++;
 }
 
-void motion_accept(motion *mo, const double *x, const double *v, double h, bool last, double t1) {
-    memcpy(mo->x, x, mo->components * sizeof *x);
-    memcpy(mo->v, v, mo->components * sizeof *v);
+static void pass(motion *mo, double h, bool last, double t1) {
     mo->time = last ? t1 : mo->time + h;
     mo->steps++;
     if (mo->steps == 1 || h < mo->least_step)
         mo->least_step = h;
     if (h > mo->largest_step)
         mo->largest_step = h;
+}
+
+void motion_accept(motion *mo, const double *x, const double *v, double h, bool last, double t1) {
+    memcpy(mo->x, x, mo->components * sizeof *x);
+    memcpy(mo->v, v, mo->components * sizeof *v);
+    pass(mo, h, last, t1);
+}
+
+void motion_hand_over(motion *mo, double *x, double *v, double h, bool last, double t1) {
+    mo->x = x;
+    mo->v = v;
+    pass(mo, h, last, t1);
+}
+
+void motion_settle(motion *mo) {
+    if (mo->x == mo->home[0])
+        return;
+    memcpy(mo->home[0], mo->x, mo->components * sizeof *mo->x);
+    memcpy(mo->home[1], mo->v, mo->components * sizeof *mo->v);
+    mo->x = mo->home[0];
+    mo->v = mo->home[1];
 }
 
 void motion_refuse(motion *mo, cap_kind why) {

@@ -7,14 +7,16 @@
 
 #include <stdbool.h>
 
-/* x and v are the colony's own (mechanics_take_state): only accepted steps are written there. In the plane they, and
- * whatever has their shape, have two numbers a particle. */
+/* x and v are the present state: the colony's own rows (mechanics_take_state), or between steps a method's that it has
+ * handed over. Only accepted steps are written there. In the plane they, and whatever has their shape, have two numbers
+ * a particle. */
 typedef struct motion {
     mechanics *m;
     size_t n;              /* particles */
     int dimensions;        /* 3; 2 in the plane */
     size_t components;     /* n x dimensions: numbers in x */
     double *x, *v;         /* (n x dimensions), um, um/s */
+    double *home[2];       /* where the colony's own are */
     double time;           /* s, from the beginning of the relaxation */
     const uint32_t *order; /* particle rows in the order of sums (n) */
     uint64_t steps, rejected, evaluations;
@@ -37,6 +39,13 @@ void motion_force_outside(motion *mo, const double *x, double *f);
 
 /* Takes over a trial state as the present one, h later (at exactly t1 when `last`). */
 void motion_accept(motion *mo, const double *x, const double *v, double h, bool last, double t1);
+
+/* The same without a copy: the trial's own arrays are the present state from now on, until motion_settle; those that
+ * were are free for the next trial. */
+void motion_hand_over(motion *mo, double *x, double *v, double h, bool last, double t1);
+
+/* Brings the present state home, for whoever looks at the colony's own rows. */
+void motion_settle(motion *mo);
 
 /* Counts a trial that is not taken: by the cap that refused it; CAP_COUNT: by its error, which is no cap. */
 void motion_refuse(motion *mo, cap_kind why);

@@ -71,6 +71,7 @@ static bool is_over(run *r) {
  * steps, or as published after each of them. */
 static bool remodel(run *r) {
     remodel_change change;
+    motion_settle(&r->mo);
     double begin = omp_get_wtime(), built = mechanics_statistics(r->mo.m).build_seconds;
     bool changed = mechanics_remodel(r->mo.m, &change);
     r->result->remodel_seconds += omp_get_wtime() - begin - (mechanics_statistics(r->mo.m).build_seconds - built);
@@ -189,12 +190,15 @@ int relax_run(mechanics *m, const relax_settings *how, const relax_goal *goal, r
     }
     r.mo.dimensions = mechanics_dimensions(m);
     r.mo.components = (size_t)r.mo.dimensions * r.mo.n;
-    mechanics_take_state(m, &r.mo.x, &r.mo.v);
+    mechanics_take_state(m, &r.mo.home[0], &r.mo.home[1]);
+    r.mo.x = r.mo.home[0];
+    r.mo.v = r.mo.home[1];
     r.method = r.style->create(r.style, how, &r.mo);
     r.scratch = goal->force > 0 ? alloc_zeroed(r.mo.components, sizeof *r.scratch) : NULL;
     status = (r.minimises ? descend : advance)(&r, d);
     if (r.style->finish)
         r.style->finish(r.method, &r.mo);
+    motion_settle(&r.mo);
     mechanics_return_state(m);
     report(&r.mo, r.result);
     r.style->destroy(r.method);

@@ -72,7 +72,8 @@ typedef struct splitting {
     double least_landing;          /* the least of landing beside h / (2 m) */
     double *kick, *decay, *flight; /* of each component (n): A / m, of Euler h / m; E; (1 - E)/g */
     double *landing;               /* B / m (n) */
-    double *force, *trial_force, *x, *v, *mode, *memory;
+    double *force, *trial_force, *x, *v, *mode, *memory; /* x, v: of the trial */
+    double *own[2];                                      /* ... where it is not in the colony's rows */
 } splitting;
 
 /* With inertia c: c k_d / m, of the heaviest particle. */
@@ -103,9 +104,9 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     self->memory = alloc_zeroed(9 * self->n, sizeof *self->memory);
     self->force = self->memory;
     self->trial_force = self->force + self->n;
-    self->x = self->trial_force + self->n;
-    self->v = self->x + self->n;
-    self->mode = self->v + self->n;
+    self->own[0] = self->trial_force + self->n;
+    self->own[1] = self->own[0] + self->n;
+    self->mode = self->own[1] + self->n;
     self->decay = self->mode + self->n;
     self->kick = self->decay + self->n;
     self->flight = self->kick + self->n;
@@ -248,6 +249,9 @@ static void prepare_factors(splitting *self, const motion *mo) {
 /* A kick and a flight, of all components; false: refused. That none has gone far along any axis is seen in passing and
  * suffices; else each particle is looked at. */
 static bool fly(splitting *self, const motion *mo) {
+    const bool away = mo->x == self->own[0];
+    self->x = away ? mo->home[0] : self->own[0];
+    self->v = away ? mo->home[1] : self->own[1];
     const kernel_flight q = {.kick = self->kick,
                              .decay = self->decay,
                              .flight = self->flight,
@@ -291,7 +295,7 @@ static cap_kind try_euler(splitting *self, motion *mo) {
 }
 
 static void accept(splitting *self, motion *mo, double t1) {
-    motion_accept(mo, self->x, self->v, self->h, self->left == 1, t1);
+    motion_hand_over(mo, self->x, self->v, self->h, self->left == 1, t1);
     mo->caps[CAP_HELD] += self->hits.held;
     mo->caps[CAP_UNSOLVED] += self->hits.unsolved;
     double *swap = self->force;
