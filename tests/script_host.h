@@ -55,8 +55,7 @@ static inline void script_host_open(script_host *h) {
     *h = (script_host){0};
     gsl_set_error_handler_off();
     h->units = units_create(NULL);
-    h->commands = command_table_create(h->units);
-    commands_add(h->commands);
+    h->commands = commands_create(h->units);
     h->environment = "somewhere";
     h->host = (interp_host){.commands = h->commands,
                             .units = h->units,

@@ -81,8 +81,7 @@ sarcina *sarcina_create(const sarcina_output *out) {
     if (out)
         s->out = *out;
     s->units = known;
-    s->commands = command_table_create(known);
-    commands_add(s->commands);
+    s->commands = commands_create(known);
     s->library = find_library();
     s->host = (interp_host){.commands = s->commands,
                             .units = known,

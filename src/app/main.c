@@ -7,6 +7,7 @@
 #include "app/repl.h"
 #include "app/test_run.h"
 #include "base/alloc.h"
+#include "base/path.h"
 #include "command/commands.h"
 #include "command/past.h"
 #include "command/results.h"
@@ -17,17 +18,15 @@
 #include <string.h>
 #include <unistd.h>
 
-/* All of standard input; the caller frees. */
-static char *read_standard_input(void) {
-    char *text = NULL;
-    size_t n = 0, capacity = 0, got;
-    do {
-        text = alloc_grow(text, &capacity, n + 65537, 1);
-        got = fread(text + n, 1, 65536, stdin);
-        n += got;
-    } while (got);
-    text[n] = '\0';
-    return text;
+/* All of standard input, which the caller frees; NULL: interrupted, and half a script is none. */
+static char *read_pipe(void) {
+    program_end_reads(true);
+    char *text = path_read_all(stdin, NULL);
+    program_end_reads(false);
+    if (!program_is_interrupted())
+        return text;
+    free(text);
+    return NULL;
 }
 
 /* The file, then the commands of -e; without either what comes through the pipe. *n of them; the caller frees. */
@@ -86,8 +85,8 @@ static int run_all(interp *in, const options *o) {
     bool pipe = !o->file && !o->ncommands && !repl_is_wanted(o);
     if (repl_is_wanted(o))
         begin_past(in, o);
-    char *piped = pipe ? read_standard_input() : NULL;
-    int status = run_scripts(in, o, piped);
+    char *piped = pipe ? read_pipe() : NULL;
+    int status = pipe && !piped ? SARCINA_INTERRUPTED : run_scripts(in, o, piped);
     free(piped);
     if (!status)
         status = leave_scalars(in);
@@ -104,8 +103,7 @@ static int print_records(void) {
         program_complain(&d);
         return SARCINA_ERROR;
     }
-    command_table *t = command_table_create(u);
-    commands_add(t);
+    command_table *t = commands_create(u);
     char *text = records_json(t);
     fputs(text, stdout);
     free(text);

@@ -18,8 +18,7 @@ int main(int argc, char **argv) {
         fprintf(stderr, "%s\n", d.message);
         return 1;
     }
-    command_table *t = command_table_create(u);
-    commands_add(t);
+    command_table *t = commands_create(u);
     mandoc m = {.commands = t, .source = argv[1], .target = argv[2]};
     mandoc_commands(&m);
     mandoc_sources(&m);

@@ -6,9 +6,9 @@
  * each daughter. Such small beginnings give draws that are much alike from seed to seed.
  *   without CASE: growth and division alone, nothing moves. The mean number of cells must be the original's at every
  * step, and the last number of every colony.
- *   CASE (default, anchor, anchor2x, anchor05x): whole colonies with the original's rules and draws. C and thickness at
- * equal cell number must agree by the rule of study_original.h: what differs is not mechanics or links, but chaos.
- * Exit 0: all agree; 1: not; 2: the data cannot be read. */
+ *   CASE (default, anchor, anchor2x, anchor05x, filial): whole colonies with the original's rules and draws. C and
+ * thickness at equal cell number must agree by the rule of study_original.h: what differs is not mechanics or links,
+ * but chaos. Exit 0: all agree; 1: not; 2: the data cannot be read. */
 #include "app/study_original.h"
 
 #include "analysis/extent.h"
@@ -83,7 +83,7 @@ static const char scene_text[] = "accuracy paper\n"
                                  "link remodel every 0s\n";
 
 typedef struct colony_case {
-    const char *name, *anchor; /* as in the files; command, or NULL */
+    const char *name, *link; /* as in the files; command, or NULL */
 } colony_case;
 
 static const colony_case cases[] = {
@@ -91,6 +91,7 @@ static const colony_case cases[] = {
     {"anchor", "link anchor ecoli k 1e-11N/m form 0.5um break 1um handover mother"},
     {"anchor2x", "link anchor ecoli k 1e-11N/m form 0.5um break 2um handover mother"},
     {"anchor05x", "link anchor ecoli k 1e-11N/m form 0.5um break 0.5um handover mother"},
+    {"filial", "link filial ecoli k 5e-13N/m break 1um short 0.5 long 1.7"},
 };
 
 /* A sphere and a cylinder, kg. */
@@ -123,8 +124,8 @@ static int make_scene(interp *in, const colony_case *c, int64_t seed, diag *d) {
     for (char *rest = text, *line; !status && (line = strtok_r(rest, "\n", &rest));)
         status = interp_execute(in, line, d);
     free(text);
-    if (!status && c && c->anchor)
-        status = interp_execute(in, c->anchor, d);
+    if (!status && c && c->link)
+        status = interp_execute(in, c->link, d);
     return status ? status : place_founder(in, seed, d);
 }
 
@@ -168,6 +169,7 @@ static int step(scene *s, int64_t seed, bool moves, diag *d) {
     for (uint64_t id = newborn; id < s->colony->next_cell_id; id++)
         settle_daughter(s, colony_row(s->colony, id), &r);
     s->colony->version++;
+    scene_refresh_links(s); /* a filial link is as long as the daughter's own radius makes it */
     relax_result result;
     return moves ? scene_relax(s, 1, 0, &result, d) : SARCINA_OK;
 }
@@ -310,13 +312,12 @@ static int run(const interp_host *host, const char *folder, const colony_case *c
 int main(int argc, char **argv) {
     ptrdiff_t row = argc == 3 ? table_find(cases, TABLE_COUNT(cases), sizeof *cases, argv[2]) : -1;
     if (argc < 2 || argc > 3 || (argc == 3 && row < 0)) {
-        fputs("usage: oracle-colony FOLDER [default|anchor|anchor2x|anchor05x]\n", stderr);
+        fputs("usage: oracle-colony FOLDER [default|anchor|anchor2x|anchor05x|filial]\n", stderr);
         return 2;
     }
     gsl_set_error_handler_off();
     interp_host host = {.units = units_create(NULL)};
-    command_table *commands = command_table_create(host.units);
-    commands_add(commands);
+    command_table *commands = commands_create(host.units);
     host.commands = commands;
     int code = run(&host, argv[1], row < 0 ? NULL : &cases[row]);
     command_table_free(commands);

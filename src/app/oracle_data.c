@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/dim.h"
+#include "base/path.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,19 +12,9 @@
 
 static char *read_whole(const char *path) {
     FILE *file = fopen(path, "rb");
-    if (!file)
-        return NULL;
-    size_t count = 0, capacity = 0;
-    char *text = NULL;
-    for (;;) {
-        text = alloc_grow(text, &capacity, count + 65536, 1);
-        size_t n = fread(text + count, 1, 65535, file);
-        count += n;
-        if (n == 0)
-            break;
-    }
-    text[count] = '\0';
-    fclose(file);
+    char *text = file ? path_read_all(file, NULL) : NULL;
+    if (file)
+        fclose(file);
     return text;
 }
 
@@ -81,21 +72,30 @@ void oracle_table_free(oracle_table *t) {
     memset(t, 0, sizeof *t);
 }
 
-bool oracle_tables_read(oracle_tables *t, int argc, char **argv) {
+static bool read_tables(oracle_tables *t, const char *folder) {
+    return oracle_table_read(&t->particles, folder, "particles.csv") &&
+           oracle_table_read(&t->springs, folder, "springs.csv") && oracle_table_read(&t->params, folder, "params.csv");
+}
+
+int oracle_main(int argc, char **argv, oracle_check *check) {
+    oracle_tables t = {0};
     if (argc != 2) {
         const char *slash = strrchr(argv[0], '/');
         fprintf(stderr, "usage: %s FOLDER\n", slash ? slash + 1 : argv[0]);
-        return false;
+        return 2;
     }
-    return oracle_table_read(&t->particles, argv[1], "particles.csv") &&
-           oracle_table_read(&t->springs, argv[1], "springs.csv") &&
-           oracle_table_read(&t->params, argv[1], "params.csv");
-}
-
-void oracle_tables_free(oracle_tables *t) {
-    oracle_table_free(&t->particles);
-    oracle_table_free(&t->springs);
-    oracle_table_free(&t->params);
+    int count[2] = {0}, code = read_tables(&t, argv[1]) ? 0 : 2;
+    for (size_t i = 0; i < t.params.nrows && !code; i++) {
+        oracle_verdict v = check(oracle_table_text(&t.params, i, "state"), &t);
+        if (v != ORACLE_SKIPPED)
+            count[v == ORACLE_PASSED]++;
+    }
+    if (!code)
+        printf("%d passed, %d failed\n", count[1], count[0]);
+    oracle_table_free(&t.particles);
+    oracle_table_free(&t.springs);
+    oracle_table_free(&t.params);
+    return code ? code : count[0] || !count[1];
 }
 
 const char *oracle_table_text(const oracle_table *t, size_t row, const char *column) {

@@ -24,12 +24,18 @@ void oracle_table_free(oracle_table *t);
 const char *oracle_table_text(const oracle_table *t, size_t row, const char *column);
 double oracle_table_number(const oracle_table *t, size_t row, const char *column);
 
-/* The three tables of a folder of states, the only argument of a program; false with a message. */
+/* The three tables of a folder of states. */
 typedef struct oracle_tables {
     oracle_table particles, springs, params;
 } oracle_tables;
-bool oracle_tables_read(oracle_tables *t, int argc, char **argv);
-void oracle_tables_free(oracle_tables *t);
+
+/* What a program finds of one state: it says so in a line of its own. */
+typedef enum { ORACLE_FAILED, ORACLE_PASSED, ORACLE_SKIPPED } oracle_verdict;
+typedef oracle_verdict oracle_check(const char *state, const oracle_tables *t);
+
+/* The main of a program whose only argument is a folder of states: judges each and prints "N passed, N failed". Its
+ * exit code: 0: at least one passed and none failed; 1: not so; 2: the data cannot be read, which is said. */
+int oracle_main(int argc, char **argv, oracle_check *check);
 
 /* A state in the engine's units, with what is needed to bind the mechanics to it. */
 typedef struct oracle_scene {
@@ -40,8 +46,8 @@ typedef struct oracle_scene {
     uint32_t *row; /* particle row of each particle of the file */
 } oracle_scene;
 
-/* The state called name, from the rows of that state in each table ("" and tables of one state: every row). Contact is
- * the published law; rods' springs go through the internal term where all have one constant. */
+/* The state called `state`, from the rows of that state in each table ("" and tables of one state: every row). Contact
+ * is the published law; rods' springs go through the internal term where all have one constant. */
 bool oracle_scene_make(oracle_scene *s, const char *state, const oracle_table *particles, const oracle_table *springs,
                        const oracle_table *params);
 void oracle_scene_free(oracle_scene *s);

@@ -9,6 +9,7 @@
 
 #include "base/alloc.h"
 #include "base/dim.h"
+#include "base/table.h"
 #include "model/link.h"
 #include "relax/relax.h"
 
@@ -262,19 +263,18 @@ static bool check_relaxed(const oracle_scene *s, const char *state, double one, 
     return passed;
 }
 
-static bool check_state(const char *state, const link_rule *rules, const oracle_table *particles,
-                        const oracle_table *springs, const oracle_table *params) {
+static bool check_links(const char *state, const link_rule *rules, const oracle_tables *t) {
     oracle_scene s;
     mechanics *m = mechanics_create();
     diag d = {0};
-    bool passed = false, made = oracle_scene_make(&s, state, particles, springs, params);
-    comparison c = {.s = &s, .springs = springs, .rules = rules};
+    bool passed = false, made = oracle_scene_make(&s, state, &t->particles, &t->springs, &t->params);
+    comparison c = {.s = &s, .springs = &t->springs, .rules = rules};
     if (made)
         make_links(&c, state);
     if (made && oracle_scene_bind(&s, m, &d) == SARCINA_OK) {
         double *force = alloc_zeroed(3 * s.nparticles, sizeof *force), deviation, largest;
         mechanics_force(m, s.colony->particle.x, s.colony->particle.v, force);
-        oracle_scene_compare(&s, state, particles, force, mechanics_mass(m), &deviation, &largest);
+        oracle_scene_compare(&s, state, &t->particles, force, mechanics_mass(m), &deviation, &largest);
         passed = c.compared > 0 && c.worst <= spring_bound && deviation <= force_bound * largest;
         printf("%-40s %3zu springs in %2zu links  %8.1e  accelerations %8.1e  %s\n", state, c.compared,
                s.colony->link.count, c.worst, deviation / largest, passed ? "ok" : "FAILED");
@@ -289,18 +289,13 @@ static bool check_state(const char *state, const link_rule *rules, const oracle_
     return passed;
 }
 
+static oracle_verdict check_state(const char *state, const oracle_tables *t) {
+    for (size_t k = 0; k < TABLE_COUNT(states); k++)
+        if (strncmp(state, states[k].state, strlen(states[k].state)) == 0)
+            return check_links(state, states[k].rules, t) ? ORACLE_PASSED : ORACLE_FAILED;
+    return ORACLE_SKIPPED;
+}
+
 int main(int argc, char **argv) {
-    oracle_tables t;
-    if (!oracle_tables_read(&t, argc, argv))
-        return 2;
-    int passed = 0, failed = 0;
-    for (size_t i = 0; i < t.params.nrows; i++)
-        for (size_t k = 0; k < sizeof states / sizeof states[0]; k++) {
-            const char *state = oracle_table_text(&t.params, i, "state");
-            if (strncmp(state, states[k].state, strlen(states[k].state)) == 0)
-                *(check_state(state, states[k].rules, &t.particles, &t.springs, &t.params) ? &passed : &failed) += 1;
-        }
-    printf("%d passed, %d failed\n", passed, failed);
-    oracle_tables_free(&t);
-    return failed || !passed;
+    return oracle_main(argc, argv, check_state);
 }

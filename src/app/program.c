@@ -61,11 +61,20 @@ static bool is_ignored(int signal_number) {
     return sigaction(signal_number, NULL, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
+/* A write that a signal comes upon goes on behind it: what it had not written would be lost. */
 void program_catch_interrupts(bool prompt) {
-    struct sigaction action = {.sa_sigaction = on_interrupt, .sa_flags = SA_SIGINFO};
+    struct sigaction action = {.sa_sigaction = on_interrupt, .sa_flags = SA_SIGINFO | SA_RESTART};
     sigemptyset(&action.sa_mask);
     if (prompt || !is_ignored(SIGINT))
         sigaction(SIGINT, &action, NULL);
+}
+
+void program_end_reads(bool yes) {
+    struct sigaction action;
+    if (sigaction(SIGINT, NULL, &action))
+        return;
+    action.sa_flags = yes ? action.sa_flags & ~SA_RESTART : action.sa_flags | SA_RESTART;
+    sigaction(SIGINT, &action, NULL);
 }
 
 static void on_ending(int signal_number, siginfo_t *from, void *context) {
@@ -84,7 +93,7 @@ static void on_ending(int signal_number, siginfo_t *from, void *context) {
 
 void program_catch_ending(void) {
     static const int signals[] = {SIGTERM, SIGHUP, SIGINT};
-    struct sigaction action = {.sa_sigaction = on_ending, .sa_flags = SA_SIGINFO};
+    struct sigaction action = {.sa_sigaction = on_ending, .sa_flags = SA_SIGINFO | SA_RESTART};
     sigemptyset(&action.sa_mask);
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
         if (!is_ignored(signals[i]))
@@ -257,8 +266,7 @@ int program_create(program *p, const options *o, diag *d) {
         program_free(p);
         return status ? status : SARCINA_ERROR;
     }
-    p->commands = command_table_create(p->units);
-    commands_add(p->commands);
+    p->commands = commands_create(p->units);
     p->library = find_library();
     p->host = (interp_host){.commands = p->commands,
                             .forecast = runs,

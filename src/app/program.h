@@ -42,6 +42,10 @@ interp *program_interp(program *p, const options *o, diag *d);
  * program has set to be ignored, as shells do for what they start in the background, stays so. */
 void program_catch_interrupts(bool prompt);
 void program_be_patient(void);
+
+/* Whether Ctrl-C ends the wait of a read: for as long as a pipe or file is waited for that nobody may write to. */
+void program_end_reads(bool yes);
+
 bool program_is_interrupted(void);
 void program_clear_interrupt(void);
 

@@ -135,7 +135,9 @@ repl_line_status repl_line_edit(const char *before, char **line) {
 repl_line_status repl_line_read(char **line) {
     size_t room = 0;
     *line = NULL;
+    program_end_reads(true);
     ssize_t n = getline(line, &room, stdin);
+    program_end_reads(false);
     if (n < 0) {
         free(*line);
         *line = NULL;

@@ -78,3 +78,18 @@ int path_close(FILE *f, const char *path, diag *d) {
     bool lost = ferror(f) != 0; /* errno is that of the write before */
     return fclose(f) == 0 && !lost ? SARCINA_OK : path_error(path, d);
 }
+
+char *path_read_all(FILE *f, size_t *length) {
+    enum { CHUNK = 65536 };
+    char *text = NULL;
+    size_t capacity = 0, n = 0, got;
+    do {
+        text = alloc_grow(text, &capacity, n + CHUNK + 1, 1);
+        got = fread(text + n, 1, CHUNK, f);
+        n += got;
+    } while (got == CHUNK);
+    text[n] = '\0';
+    if (length)
+        *length = n;
+    return text;
+}

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Files to write: a missing folder is made when the file is, so that `-var out DIR` needs no other command. */
+/* Files. Those to write: a missing folder is made when the file is, so that `-var out DIR` needs no other command. */
 #ifndef SARCINA_BASE_PATH_H
 #define SARCINA_BASE_PATH_H
 
@@ -18,6 +18,9 @@ FILE *path_open(const char *path, const char *mode, diag *d);
 
 /* Closes a file that was written to; an error where any of it was lost, now or before (a full disk). */
 int path_close(FILE *f, const char *path, diag *d);
+
+/* All that a file or stream still has, with a NUL behind; *length without that, NULL allowed. The caller frees. */
+char *path_read_all(FILE *f, size_t *length);
 
 /* The error of a file that cannot be written, from errno. */
 int path_error(const char *path, diag *d);

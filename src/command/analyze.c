@@ -169,9 +169,14 @@ int output_list_write_analysis(outputs *o, output_analysis *p, diag *d) {
 
 /* ---- the commands ------------------------------------------------------------------------------------------------ */
 
-void output_list_add_analysis(outputs *o, const output_analysis *p) {
+void output_list_add_analysis(outputs *o, const output_analysis *p, const args *a) {
     o->analyses = alloc_grow(o->analyses, &o->analysis_capacity, o->nanalyses + 1, sizeof *o->analyses);
-    o->analyses[o->nanalyses++] = *p;
+    output_analysis *added = &o->analyses[o->nanalyses++];
+    *added = *p;
+    added->id = alloc_copy(args_text(a, "ID"));
+    added->group = alloc_copy(args_text(a, "GROUP"));
+    if (args_given(a, "every"))
+        added->every = args_cycles(a, "every");
 }
 
 /* Measures of the whole colony take no group but all. */
@@ -242,11 +247,7 @@ static int run_style(interp *in, const args *a, diag *d) {
         output_list_release_columns(p.of, p.of != NULL);
         return status;
     }
-    if (args_given(a, "every"))
-        p.every = args_cycles(a, "every");
-    p.id = alloc_copy(args_text(a, "ID"));
-    p.group = alloc_copy(args_text(a, "GROUP"));
-    output_list_add_analysis(o, &p);
+    output_list_add_analysis(o, &p, a);
     return SARCINA_OK;
 }
 
@@ -281,9 +282,7 @@ static int run_first_time(interp *in, const args *a, diag *d) {
         return status;
     }
     p.test = expr_keep(args_expr(a, "TEST"));
-    p.id = alloc_copy(args_text(a, "ID"));
-    p.group = alloc_copy("all");
-    output_list_add_analysis(output_list_of(in), &p);
+    output_list_add_analysis(output_list_of(in), &p, a);
     return SARCINA_OK;
 }
 

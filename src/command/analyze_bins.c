@@ -330,11 +330,7 @@ static int declare(interp *in, const args *a, bool profile, diag *d) {
         analyze_bins_free(p.bins);
         return status;
     }
-    if (args_given(a, "every"))
-        p.every = args_cycles(a, "every");
-    p.id = alloc_copy(args_text(a, "ID"));
-    p.group = alloc_copy(args_text(a, "GROUP"));
-    output_list_add_analysis(o, &p);
+    output_list_add_analysis(o, &p, a);
     return SARCINA_OK;
 }
 

@@ -37,7 +37,8 @@ static void end_loop(interp *in) {
     run_report_end_loop(in, &session_of(in)->report);
 }
 
-void commands_add(command_table *t) {
+command_table *commands_create(units *u) {
+    command_table *t = command_table_create(u);
     command_set_client(t, create_session, free_session, end_loop);
     command_set_checked(t, forecast_report);
     command_set_line(t, past_begin, past_ran);
@@ -45,4 +46,5 @@ void commands_add(command_table *t) {
     COMMAND_FILES(COMMAND_ADD)
 #undef COMMAND_ADD
     command_pages(t);
+    return t;
 }

@@ -49,7 +49,7 @@ void command_pages(command_table *t);
 COMMAND_FILES(COMMAND_DECLARE)
 #undef COMMAND_DECLARE
 
-/* Adds every command, name class and the session to a new table. */
-void commands_add(command_table *t);
+/* The table of every command, name class and the session; command_table_free takes it, before the units. */
+command_table *commands_create(units *u);
 
 #endif

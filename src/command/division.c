@@ -6,7 +6,6 @@
 
 #include "base/alloc.h"
 #include "biology/division.h"
-#include "engine/flat.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -33,21 +32,13 @@ static int run_division(interp *in, const args *a, diag *d) {
         rule->values[DIVISION_SIZE] = spread_fixed(NAN);
     else if (args_given(a, s->species.list[row].shape == SHAPE_COCCUS ? "diameter" : "length"))
         rule->values[DIVISION_MASS] = spread_fixed(NAN);
-    int status = division_check(&changed, d);
-    if (!status)
-        status = flat_check_species(s, &changed, d);
-    if (status)
-        return status;
-    s->species.list[row] = changed;
-    scene_refresh_species(s, row);
-    return SARCINA_OK;
+    return scene_change_species(s, row, &changed, d);
 }
 
 static int run_off(interp *in, const args *a, diag *d) {
-    (void)d;
-    named_species(in, a)->division.style = -1;
-    scene_refresh_species(interp_scene(in), args_row(a, "NAME"));
-    return SARCINA_OK;
+    species changed = *named_species(in, a);
+    changed.division.style = -1;
+    return scene_change_species(interp_scene(in), args_row(a, "NAME"), &changed, d);
 }
 
 static const param off_params[] = {{"NAME:species", "the species"}};

@@ -90,8 +90,8 @@ int output_list_print_row(outputs *o, bool screen, bool log, diag *d);
 int output_list_open_dump(output_dump *p, diag *d);
 int output_list_write_dump(outputs *o, output_dump *p, diag *d);
 
-/* analyze.c: takes an analysis in. */
-void output_list_add_analysis(outputs *o, const output_analysis *p);
+/* analyze.c: takes an analysis in, with the ID, GROUP and `every` of the command; what it points to goes over. */
+void output_list_add_analysis(outputs *o, const output_analysis *p, const args *a);
 
 /* Opens, judges a first_time at the end of a cycle, and writes a row of the present step to the file. */
 int output_list_open_analysis(output_analysis *p, diag *d);

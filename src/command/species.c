@@ -122,15 +122,7 @@ static int run_species(interp *in, const args *a, diag *d) {
     if (!same_shape)
         changed.division.style = -1; /* a rule for another shape */
     status = check_flexible(s, row, &changed, d);
-    if (!status)
-        status = division_check(&changed, d);
-    if (!status)
-        status = flat_check_species(s, &changed, d);
-    if (status)
-        return status;
-    s->species.list[row] = changed;
-    scene_refresh_species(s, row);
-    return SARCINA_OK;
+    return status ? status : scene_change_species(s, row, &changed, d);
 }
 
 static const param coccus_params[] = {

@@ -4,6 +4,7 @@
 #include "analysis/view_cache.h"
 #include "base/alloc.h"
 #include "biology/division.h"
+#include "engine/flat.h"
 #include "mechanics/remodel.h"
 #include "model/link.h"
 
@@ -133,7 +134,7 @@ void scene_delete(scene *s, const bool *doomed) {
     free(rows);
 }
 
-void scene_refresh_species(scene *s, int row) {
+static void refresh_species(scene *s, int row) {
     colony *c = s->colony;
     const species *sp = &s->species.list[row];
     for (uint32_t i = 0; i < c->cell.count; i++) {
@@ -144,6 +145,17 @@ void scene_refresh_species(scene *s, int row) {
     }
     c->version++; /* masses and sizes are not what caches of the mechanics hold */
     scene_refresh_links(s);
+}
+
+int scene_change_species(scene *s, int row, const species *changed, diag *d) {
+    int status = division_check(changed, d);
+    if (!status)
+        status = flat_check_species(s, changed, d);
+    if (status)
+        return status;
+    s->species.list[row] = *changed;
+    refresh_species(s, row);
+    return SARCINA_OK;
 }
 
 void scene_refresh_links(scene *s) {

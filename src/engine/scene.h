@@ -126,8 +126,9 @@ int scene_relax(scene *s, double time, double force, relax_result *result, diag 
  * before it. */
 int scene_cycle(scene *s, double dt, double relax_time, double relax_force, diag *d);
 
-/* After a change of a species' shape, density or rules: sizes and division limits of its cells follow. */
-void scene_refresh_species(scene *s, int row);
+/* Puts `changed` in place of a species, if its rules and the scene allow it: sizes and division limits of its cells
+ * follow. On an error the scene is as it was. */
+int scene_change_species(scene *s, int row, const species *changed, diag *d);
 
 /* After a change of rules for links, or of sizes: stiffness and rest lengths of the links follow. */
 void scene_refresh_links(scene *s);

@@ -43,6 +43,13 @@ typedef struct image_options {
         "background=white:color", "colour of what is not a cell"                                                       \
     }
 
+/* What a style that draws says where this build cannot; NULL: it can. */
+#if SARCINA_HAVE_IMAGE
+#define IMAGE_MISSING NULL
+#else
+#define IMAGE_MISSING "this build has no pictures: install libpng-dev and libembree-dev and build again"
+#endif
+
 /* 800 x 600, from above, everything in, viridis, white, a scale bar; no floor. */
 image_options image_defaults(void);
 

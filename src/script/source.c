@@ -2,6 +2,7 @@
 #include "script/source.h"
 
 #include "base/alloc.h"
+#include "base/path.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -30,20 +31,6 @@ source *source_of_text(const char *name, const char *text) {
     return source_new(name, alloc_copy(""), alloc_copy(text), strlen(text));
 }
 
-/* Everything a stream has, with a NUL behind; *length without it. */
-static char *read_all(FILE *f, size_t *length) {
-    char *text = NULL;
-    size_t capacity = 0, n = 0, got;
-    do {
-        text = alloc_grow(text, &capacity, n + 65537, 1);
-        got = fread(text + n, 1, 65536, f);
-        n += got;
-    } while (got > 0);
-    text[n] = '\0';
-    *length = n;
-    return text;
-}
-
 source *source_read(const char *path, diag *d) {
     struct stat info;
     if (stat(path, &info) == 0 && S_ISDIR(info.st_mode)) {
@@ -56,7 +43,7 @@ source *source_read(const char *path, diag *d) {
         return NULL;
     }
     size_t length;
-    char *text = read_all(f, &length);
+    char *text = path_read_all(f, &length);
     fclose(f);
     /* a byte-order mark is no part of the text */
     if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)

@@ -66,8 +66,7 @@ static void run_trial(int pipe, const char *text, gsl_rng *r) {
     gsl_set_error_handler_off();
     trial t = {.pipe = pipe};
     units *u = units_create(NULL);
-    command_table *commands = command_table_create(u);
-    commands_add(commands);
+    command_table *commands = commands_create(u);
     t.host = (interp_host){.commands = commands,
                            .units = u,
                            .self = &t,

@@ -3,15 +3,12 @@
 # Ten E. coli colonies with the numbers that the original program drew, against its ten: a case's links on their own.
 # Usage: ecoli_draws.sh [CASE...]   (from the repository's root, after a release build; two CPU minutes a case)
 set -euo pipefail
-[[ $# -gt 0 ]] || set -- default anchor anchor2x anchor05x
-passed=0 failed=0
+source "$(dirname "${BASH_SOURCE[0]}")/../tools/verdicts.sh"
+[[ $# -gt 0 ]] || set -- default anchor anchor2x anchor05x filial
 for case in "$@"; do
     echo "== $case"
-    if build/release/bin/oracle-colony tests/data/ecoli "$case"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-    fi
+    status=0
+    build/release/bin/oracle-colony tests/data/ecoli "$case" || status=$?
+    verdict $status "$case"
 done
-echo "$passed passed, $failed failed"
-[[ $failed -eq 0 ]]
+verdicts_end

@@ -7,12 +7,11 @@
 # Seed 1; on one thread of an AMD EPYC 93 s of processor for both presets (draft, balanced), 11.2 to 18.4 MB, 151,932 cells
 # in all: of each that is gone the program keeps its mother, 16 bytes.
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../tools/verdicts.sh"
 sarcina=$PWD/build/release/bin/sarcina
 steps=${1:-1000000}
 early=$((steps / 100)) half=$((steps / 2))
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+cd "$scratch"
 
 scene() { # PRESET
     cat <<S
@@ -36,15 +35,6 @@ finish() { # NAME
     echo "print '$1 step \$(step) drift \$(time/60s - step) relaxed \$(abs(relaxed/10ms - step) < 0.000001) cells \$(cells) deepest \$(max(overlap) < 50nm) low \$(min(zmin) > -20nm) highest \$(max(id))' file $1.txt"
 }
 
-passed=0 failed=0
-check() { # WHAT COMMAND...
-    if "${@:2}"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $1"
-    fi
-}
 # Peak memory in MB after each run of a log.
 peaks() { sed -n 's/^Peak memory = \([0-9.]*\) Mbytes.*/\1/p' "$1"; }
 # What the program must keep for ever: of each cell that is gone its id and its mother's, 16 bytes, in a block that
@@ -58,9 +48,9 @@ for preset in draft balanced; do
     { scene $preset; echo "$first"; cycles $early; cycles $((steps - early)); finish whole; } > whole.in
     { scene $preset; echo "$first"; cycles $half; echo "write_restart half.rst"; } > half.in
     { echo "read_restart half.rst"; cycles $((steps - half)); finish halves; } > halves.in
-    check "$preset: the whole" "$sarcina" -log whole.log whole.in > /dev/null
-    check "$preset: the first half" "$sarcina" -log none half.in > /dev/null
-    check "$preset: the second half" "$sarcina" -log none halves.in > /dev/null
+    check "$preset: the whole" "$sarcina" -log whole.log whole.in
+    check "$preset: the first half" "$sarcina" -log none half.in
+    check "$preset: the second half" "$sarcina" -log none halves.in
     cat whole.txt
     check "$preset: clock and cells" grep -q "step $steps drift 0 relaxed 1 cells [0-9]* deepest 1 low 1" whole.txt
     check "$preset: halves and the whole" cmp whole.csv halves.csv
@@ -68,5 +58,4 @@ for preset in draft balanced; do
     check "$preset: memory" is_bounded whole.log "$(sed 's/.*highest //' whole.txt)"
     echo "$preset: $((SECONDS - begin)) s"
 done
-echo "$passed passed, $failed failed"
-[[ $failed -eq 0 ]]
+verdicts_end

@@ -7,12 +7,11 @@
 # Seed 1; both presets together took 297 s of processor on one thread of an AMD EPYC, and 2.7 GB at most; they left 10.5
 # and 9.7 nm of overlap among 1,301,801 cells.
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../tools/verdicts.sh"
 sarcina=$PWD/build/release/bin/sarcina
 cells=${1:-1000000}
 side=$(awk -v n="$cells" 'BEGIN {printf "%.6g", 2 * sqrt(n)}') # um: 4 um2 a rod
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+cd "$scratch"
 
 scene() { # PRESET
     cat <<S
@@ -49,26 +48,13 @@ expect        "\$(mean(x)) \$(max(overlap)) \$(cells)" == after
 S
 }
 
-passed=0 failed=0
 for preset in draft balanced; do
     scene $preset > million.in
-    if "$sarcina" -log million.log million.in > out.txt 2>&1; then
-        passed=$((passed + 1))
-        sed -n "/^$preset:/p" out.txt
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $preset"
-        tail -20 out.txt
-    fi
+    check "$preset" "$sarcina" -log million.log million.in
+    sed -n "/^$preset:/p" million.log
     peak=$(sed -n 's/^Peak memory = \([0-9]*\).*/\1/p' million.log | tail -1)
     echo "peak memory $peak MB, $(sed -n 's/^Loop time of \([0-9.]*\) .*/\1/p' million.log | paste -sd' ') s of the clock a cycle"
     # 5 kB a cell, the snapshot to which a cycle may have to return and the restart in memory among them
-    if [[ -n $peak && $peak -lt $((100 + cells / 200)) ]]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $preset takes more memory than 5 kB a cell"
-    fi
+    check "$preset takes more memory than 5 kB a cell" test "$peak" -lt $((100 + cells / 200))
 done
-echo "$passed passed, $failed failed"
-[[ $failed -eq 0 ]]
+verdicts_end

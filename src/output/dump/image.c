@@ -30,8 +30,6 @@ const dump_style dump_image = {
     .takes = DUMP_COLOR,
     .params = params,
     .nparams = TABLE_COUNT(params),
-#if !SARCINA_HAVE_IMAGE
-    .missing = "this build has no pictures: install libpng-dev and libembree-dev and build again",
-#endif
+    .missing = IMAGE_MISSING,
     .draw = draw,
 };

@@ -119,7 +119,5 @@ const dump_style dump_movie = {
     .nparams = TABLE_COUNT(params),
     .many = true,
     .film = &movie,
-#if !SARCINA_HAVE_IMAGE
-    .missing = "this build has no pictures: install libpng-dev and libembree-dev and build again",
-#endif
+    .missing = IMAGE_MISSING,
 };
