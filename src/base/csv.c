@@ -35,6 +35,14 @@ static char *take_field(char *at) {
     return comma ? comma + 1 : NULL;
 }
 
+/* Spreadsheets put a byte order mark before the first heading. */
+static void skip_mark(csv *t) {
+    static const char mark[] = "\xef\xbb\xbf";
+    size_t n = sizeof mark - 1;
+    if (t->row == 1 && strncmp(t->line, mark, n) == 0)
+        memmove(t->line, t->line + n, strlen(t->line + n) + 1);
+}
+
 bool csv_next(csv *t) {
     ssize_t length;
     do {
@@ -44,6 +52,7 @@ bool csv_next(csv *t) {
     if (length <= 0)
         return false;
     t->line[strcspn(t->line, "\r\n")] = '\0';
+    skip_mark(t);
     t->n = 0;
     for (char *at = t->line; at; at = take_field(at)) {
         t->fields = alloc_grow(t->fields, &t->field_room, t->n + 1, sizeof *t->fields);

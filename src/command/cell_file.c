@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "command/cell_file.h"
+#include "command/session.h"
 
 #include "base/alloc.h"
 #include "base/csv.h"
 #include "base/number.h"
-#include "base/path.h"
 #include "base/table.h"
 #include "base/units.h"
 #include "model/shape.h"
+#include "script/names.h"
 
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
+#include <sleef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +25,12 @@ typedef struct known_column {
     size_t offset;
 } known_column;
 
+/* A row as it is read: what it says of a cell, and what that follows from. */
+typedef struct read_cell {
+    cell_row row; /* first: offsets of a cell_row hold */
+    double length, angle;
+} read_cell;
+
 static const known_column known[] = {
     {"species", NULL, 0},
     {"x", "length", offsetof(cell_row, centre[0])},
@@ -33,6 +41,8 @@ static const known_column known[] = {
     {"ux", "number", offsetof(cell_row, axis[0])},
     {"uy", "number", offsetof(cell_row, axis[1])},
     {"uz", "number", offsetof(cell_row, axis[2])},
+    {"length", "length", offsetof(read_cell, length)},
+    {"angle", "angle", offsetof(read_cell, angle)},
     {"aspect", "number", offsetof(cell_row, aspect)},
     {"generation", "number", offsetof(cell_row, generation)},
     {"age", "time", offsetof(cell_row, age)},
@@ -56,6 +66,7 @@ typedef struct column {
     dim of;
     double to_si;
     bool is_engine; /* in the engine's own unit: the number stands as it is */
+    bool has_unit;  /* of its own, in the heading */
 } column;
 
 typedef struct reader {
@@ -63,7 +74,11 @@ typedef struct reader {
     csv table;
     column *columns;
     size_t ncolumns, capacity;
-    uint32_t particles; /* of the longest cell the columns hold */
+    uint32_t particles;    /* of the longest cell the columns hold */
+    bool lacks_z;          /* cells lie on the substratum, or in the plane of a scene of two dimensions */
+    const char *separator; /* of another kind of table, as an error calls it; NULL */
+    bool told_far;         /* that a place is far away for want of a unit */
+    cell_file *file;
 } reader;
 
 /* A field without the blanks at its ends. */
@@ -106,21 +121,44 @@ static bool find_particle(const char *word, column *c) {
     return false;
 }
 
+/* Whoever writes a table by hand, or by another program, should learn what of it is not used. */
+static void tell_unknown(const reader *r, const char *heading, const char *word) {
+    if (interp_checking(r->in))
+        return;
+    const char *near = table_nearest(known, KNOWN, sizeof known[0], word);
+    interp_warn(r->in, "%s:%zu: there is no column '%s': it is left out%s%s%s", r->table.path, r->table.row, heading,
+                near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+}
+
+/* Takes the unit off a heading: x[um], x [um] or x (um); NULL: there is none. */
+static char *split_unit(char *word) {
+    char *bracket = strpbrk(word, "[(");
+    if (!bracket)
+        return NULL;
+    bracket[1 + strcspn(bracket + 1, "])")] = '\0';
+    *bracket = '\0';
+    trim(word);
+    return trim(bracket + 1);
+}
+
 static int read_heading(reader *r, char *word, diag *d) {
-    char *bracket = strchr(word, '['), *suffix = NULL;
-    if (bracket) {
-        suffix = bracket + 1;
-        *bracket = '\0';
-        suffix[strcspn(suffix, "]")] = '\0';
-    }
+    char *whole = alloc_copy(word), *suffix = split_unit(word);
     r->columns = alloc_grow(r->columns, &r->capacity, r->ncolumns + 1, sizeof *r->columns);
     column *c = &r->columns[r->ncolumns++];
-    *c = (column){.known = (int)table_find(known, KNOWN, sizeof known[0], word), .to_si = 1};
-    if (c->known < 0 && !find_particle(word, c))
+    *c = (column){.known = (int)table_find(known, KNOWN, sizeof known[0], word), .to_si = 1, .has_unit = suffix};
+    bool is_known = c->known >= 0 || find_particle(word, c);
+    if (!is_known && *whole)
+        tell_unknown(r, whole, word);
+    free(whole);
+    if (!is_known)
         return SARCINA_OK;
     r->particles = c->particle > r->particles ? c->particle : r->particles;
     if (c->known >= 0 && (!known[c->known].dimension || !dim_by_name(known[c->known].dimension, &c->of)))
         return SARCINA_OK; /* a text, or an id */
+    if (!suffix && c->known >= 0 && strcmp(known[c->known].name, "angle") == 0) {
+        diag_error(d, "%s:%zu: the column 'angle' lacks its unit", r->table.path, r->table.row);
+        return diag_help(d, "angle[degree] or angle[rad]: from x towards y");
+    }
     c->to_si = interp_unit(r->in, c->of);
     int status = suffix ? read_unit(r, suffix, c->of, &c->to_si, d) : SARCINA_OK;
     c->is_engine = fabs(dim_to_engine(c->to_si, c->of) - 1) < 1e-12;
@@ -134,24 +172,48 @@ static bool has_column(const reader *r, const char *name) {
     return false;
 }
 
+/* Tables of spreadsheets may have other separators. */
+static int refuse_lack(const reader *r, const char *heading, diag *d) {
+    diag_error(d, "%s:%zu: the header lacks the column '%s'", r->table.path, r->table.row, heading);
+    if (r->separator)
+        return diag_help(d, "this header has %s; columns are parted by commas, and the decimal sign is a point",
+                         r->separator);
+    if (*heading == 'z')
+        return diag_help(d,
+                         "without z cells lie on the substratum, or in the plane: 'substratum plane' or 'dimension 2' "
+                         "before");
+    return diag_help(d, "columns: species x y z mass length diameter angle ux uy uz groups, units in brackets: x[um]");
+}
+
+/* A cell has one place, and one axis. */
+static int check_header(reader *r, diag *d) {
+    static const char *const centre[] = {"x", "y", "z"}, *const axis[] = {"ux", "uy", "uz"};
+    scene *s = interp_scene(r->in);
+    r->lacks_z = !r->particles && !has_column(r, "z");
+    bool has_plane = s->dimension == 2 || s->forces.term[FORCE_SUBSTRATUM].on;
+    for (int k = 0; k < 3; k++) {
+        bool has = has_column(r, centre[k]);
+        if (!has && !r->particles && !(k == 2 && has_plane))
+            return refuse_lack(r, centre[k], d);
+        if (has && r->particles)
+            return diag_error(d,
+                              "%s:%zu: a cell's place is that of its centre (%s) or of its particles (%s1 ...), "
+                              "not both",
+                              r->table.path, r->table.row, centre[k], centre[k]);
+        if (has_column(r, "angle") && (r->particles || has_column(r, axis[k])))
+            return diag_error(d, "%s:%zu: 'angle' says what '%s' says already: keep one of them", r->table.path,
+                              r->table.row, r->particles ? "x1 ..." : axis[k]);
+    }
+    return SARCINA_OK;
+}
+
 static int read_header(reader *r, diag *d) {
-    static const char *const centre[] = {"x", "y", "z"};
     int status = SARCINA_OK;
+    if (r->table.n == 1) /* before units are taken off */
+        r->separator = strchr(*r->table.fields, ';') ? "';'" : strchr(*r->table.fields, '\t') ? "tabs" : NULL;
     for (size_t i = 0; !status && i < r->table.n; i++)
         status = read_heading(r, trim(r->table.fields[i]), d);
-    for (int k = 0; !status && k < 3; k++) {
-        bool has = has_column(r, centre[k]);
-        if (!has && !r->particles) {
-            status = diag_error(d, "%s:%zu: the header lacks the column '%s'", r->table.path, r->table.row, centre[k]);
-            diag_help(d, "columns: species x y z mass diameter ux uy uz, units in brackets: x[um]");
-        } else if (has && r->particles) {
-            status = diag_error(d,
-                                "%s:%zu: a cell's place is that of its centre (%s) or of its particles (%s1 ...), "
-                                "not both",
-                                r->table.path, r->table.row, centre[k], centre[k]);
-        }
-    }
-    return status;
+    return status ? status : check_header(r, d);
 }
 
 static int refuse_word(const reader *r, const column *c, const char *word, const char *what, diag *d) {
@@ -164,18 +226,27 @@ static int refuse_word(const reader *r, const column *c, const char *word, const
 }
 
 /* A whole number of a cell's descent. */
-static int read_id(const reader *r, const char *word, const column *c, cell_row *row, diag *d) {
+static int read_id(const reader *r, const char *word, const column *c, read_cell *cell, diag *d) {
     char *end;
     errno = 0;
     unsigned long long id = strtoull(word, &end, 10);
     if (*end || errno || !(*word >= '0' && *word <= '9'))
         return refuse_word(r, c, word, "not a cell's id", d);
     uint64_t value = id;
-    memcpy((char *)row + known[c->known].offset, &value, sizeof value);
+    memcpy((char *)cell + known[c->known].offset, &value, sizeof value);
     return SARCINA_OK;
 }
 
-static int read_number(const reader *r, const char *word, const column *c, cell_row *row, diag *d) {
+/* A table in micrometres without saying so is read in metres. */
+static void tell_far(reader *r, const column *c, const char *word, double value) {
+    if (c->has_unit || r->told_far || !dim_equal(c->of, DIM_LENGTH) || !(fabs(value) > 1e4) || interp_checking(r->in))
+        return;
+    r->told_far = true;
+    interp_warn(r->in, "%s:%zu: '%s' is %g m, for the column has no unit of its own: write it in the header, as x[um]",
+                r->table.path, r->table.row, word, dim_from_engine(value, c->of));
+}
+
+static int read_number(reader *r, const char *word, const column *c, read_cell *cell, diag *d) {
     size_t n = strlen(word);
     if (number_length(word, n, true) != n)
         return refuse_word(r, c, word, "not a number", d);
@@ -183,13 +254,15 @@ static int read_number(const reader *r, const char *word, const column *c, cell_
     if (!c->is_engine)
         value = dim_to_engine(value * c->to_si, c->of);
     const char *name = c->particle ? "" : known[c->known].name;
-    bool is_size = strcmp(name, "mass") == 0 || strcmp(name, "diameter") == 0;
+    bool is_size = strcmp(name, "mass") == 0 || strcmp(name, "diameter") == 0 || strcmp(name, "length") == 0;
     bool is_count = strcmp(name, "generation") == 0;
     if (!isfinite(value) || (is_size && !(value > 0)) ||
         (is_count && !(value >= 0 && value <= INT32_MAX && value == floor(value))))
         return refuse_word(r, c, word, "out of range", d);
+    tell_far(r, c, word, value);
+    cell_row *row = &cell->row;
     if (!c->particle) {
-        memcpy((char *)row + known[c->known].offset, &value, sizeof value);
+        memcpy((char *)cell + known[c->known].offset, &value, sizeof value);
     } else if (row->particles) {
         row->particles[6 * (size_t)(c->particle - 1) + (size_t)c->component] = value;
         row->nparticles = c->particle > row->nparticles ? c->particle : row->nparticles;
@@ -197,20 +270,34 @@ static int read_number(const reader *r, const char *word, const column *c, cell_
     return SARCINA_OK;
 }
 
-static void refuse_group(const reader *r, const char *name, diag *d) {
-    diag_error(d, "%s:%zu: no group '%s'", r->table.path, r->table.row, name);
-    diag_help(d, "'group %s where 0' before makes an empty one, which these cells join", name);
+/* The bit the group has, or will have once the cells are there and it is made (cell_file_make_groups). */
+static int group_bit(const reader *r, const char *name, diag *d) {
+    cell_file *f = r->file;
+    int bit = group_find(&f->groups, name);
+    if (bit >= 0)
+        return bit;
+    diag why = {0};
+    if (names_check_new(r->in, names_class(r->in, "+group"), name, &why) != SARCINA_OK) {
+        diag_error(d, "%s:%zu: groups: %s", r->table.path, r->table.row, why.message);
+        return -1;
+    }
+    bit = group_add(&f->groups, name);
+    if (bit < 0) {
+        diag_error(d, "%s:%zu: group '%s' is one more than there may be (%d)", r->table.path, r->table.row, name,
+                   GROUP_MAX);
+        return -1;
+    }
+    f->made[f->nmade++] = bit;
+    return bit;
 }
 
 /* Names of groups, parted by blanks. */
-static int read_groups(const reader *r, const char *word, cell_row *row, diag *d) {
+static int read_groups(const reader *r, const char *word, read_cell *cell, diag *d) {
     for (const char *at = word + strspn(word, " "); *at; at += strspn(at, " ")) {
         char *name = alloc_copy_n(at, strcspn(at, " "));
-        int bit = group_find(&interp_scene(r->in)->groups, name);
+        int bit = group_bit(r, name, d);
         if (bit >= 0)
-            row->groups |= (uint64_t)1 << bit;
-        else
-            refuse_group(r, name, d);
+            cell->row.groups |= (uint64_t)1 << bit;
         at += strlen(name);
         free(name);
         if (bit < 0)
@@ -219,30 +306,62 @@ static int read_groups(const reader *r, const char *word, cell_row *row, diag *d
     return SARCINA_OK;
 }
 
-static int read_word(const reader *r, const char *word, const column *c, cell_row *row, diag *d) {
+static int read_word(reader *r, const char *word, const column *c, read_cell *cell, diag *d) {
     if (!*word || (c->known < 0 && !c->particle))
         return SARCINA_OK;
     if (c->particle || strcmp(known[c->known].dimension ? known[c->known].dimension : "", "id") != 0) {
         if (c->particle || known[c->known].dimension)
-            return read_number(r, word, c, row, d);
+            return read_number(r, word, c, cell, d);
         if (strcmp(known[c->known].name, "groups") == 0)
-            return read_groups(r, word, row, d);
-        row->species = species_find(&interp_scene(r->in)->species, word);
-        return row->species < 0 ? diag_error(d, "%s:%zu: no species '%s'", r->table.path, r->table.row, word)
-                                : SARCINA_OK;
+            return r->file->wants_groups ? read_groups(r, word, cell, d) : SARCINA_OK;
+        cell->row.species = species_find(&interp_scene(r->in)->species, word);
+        return cell->row.species < 0 ? diag_error(d, "%s:%zu: no species '%s'", r->table.path, r->table.row, word)
+                                     : SARCINA_OK;
     }
-    return read_id(r, word, c, row, d);
+    return read_id(r, word, c, cell, d);
+}
+
+/* The mass of a cell as long as this, caps included; what the file does not say of its width is the species' mean. */
+static int take_length(const reader *r, const species *sp, const read_cell *cell, cell_row *row, diag *d) {
+    double length = cell->length;
+    if (row->mass > 0)
+        return diag_error(d, "%s:%zu: length and mass of a cell follow from each other: keep one of them",
+                          r->table.path, r->table.row);
+    if (sp->shape == SHAPE_COCCUS) {
+        row->mass = shape_coccus_mass(length, sp->density);
+        return SARCINA_OK;
+    }
+    double aspect = row->aspect > 0 ? row->aspect : spread_mean(&sp->aspect);
+    if (spread_mean(&sp->aspect) > 0)
+        row->aspect = aspect, row->diameter = length / aspect;
+    else if (!(row->diameter > 0))
+        row->diameter = spread_mean(&sp->diameter);
+    if (length < row->diameter)
+        return diag_error(d, "%s:%zu: length: %g um is less than the diameter, %g um", r->table.path, r->table.row,
+                          length, row->diameter);
+    row->mass = shape_rod_mass(length - row->diameter, row->diameter, sp->density);
+    return SARCINA_OK;
 }
 
 /* What the row says must fit its species. */
-static int check_row(const reader *r, cell_row *row, diag *d) {
-    if (row->species < 0)
-        return diag_error(d, "%s:%zu: the row names no species", r->table.path, r->table.row);
+static int check_row(const reader *r, read_cell *cell, diag *d) {
+    cell_row *row = &cell->row;
+    if (row->species < 0) {
+        diag_error(d, "%s:%zu: the row names no species", r->table.path, r->table.row);
+        return diag_help(d, "write a column 'species'; it may be left out where the scene has one alone");
+    }
     const species *sp = &interp_scene(r->in)->species.list[row->species];
     size_t wanted = species_particles(sp);
     if (r->particles && row->nparticles != wanted)
         return diag_error(d, "%s:%zu: a cell of %s has %zu particle%s, not %u", r->table.path, r->table.row, sp->name,
                           wanted, wanted == 1 ? "" : "s", row->nparticles);
+    if (!isnan(cell->angle)) {
+        row->axis[0] = Sleef_cinz_cosd1_u10purec(cell->angle);
+        row->axis[1] = Sleef_cinz_sind1_u10purec(cell->angle);
+    }
+    row->on_plane = r->lacks_z && interp_scene(r->in)->dimension == 3;
+    if (cell->length > 0)
+        return take_length(r, sp, cell, row, d);
     /* of a coccus, size and mass are one */
     if (sp->shape == SHAPE_COCCUS && row->diameter > 0 && !(row->mass > 0))
         row->mass = shape_coccus_mass(row->diameter, sp->density);
@@ -252,140 +371,66 @@ static int check_row(const reader *r, cell_row *row, diag *d) {
 static int read_row(reader *r, cell_row *row, diag *d) {
     size_t n = r->table.n;
     int status = SARCINA_OK;
+    read_cell cell = {.row = *row, .length = NAN, .angle = NAN};
     if (r->particles)
-        row->particles = alloc_zeroed(6 * (size_t)r->particles, sizeof *row->particles);
+        cell.row.particles = alloc_zeroed(6 * (size_t)r->particles, sizeof *row->particles);
     for (size_t i = 0; !status && i < n && i < r->ncolumns; i++)
-        status = read_word(r, trim(r->table.fields[i]), &r->columns[i], row, d);
+        status = read_word(r, trim(r->table.fields[i]), &r->columns[i], &cell, d);
     if (!status && n > r->ncolumns)
         status = diag_error(d, "%s:%zu: more values than columns (%zu)", r->table.path, r->table.row, r->ncolumns);
     if (!status && n < r->ncolumns)
         status = diag_error(d, "%s:%zu: %zu values for %zu columns", r->table.path, r->table.row, n, r->ncolumns);
-    return status ? status : check_row(r, row, d);
+    if (!status)
+        status = check_row(r, &cell, d);
+    *row = cell.row; /* also after an error: its particles are freed with it */
+    return status;
 }
 
-void cell_file_free(cell_row *rows, size_t count) {
-    for (size_t i = 0; rows && i < count; i++)
-        free(rows[i].particles);
-    free(rows);
+void cell_file_free(cell_file *f) {
+    for (size_t i = 0; i < f->count; i++)
+        free(f->rows[i].particles);
+    free(f->rows);
+    link_file_free(&f->links);
+    *f = (cell_file){0};
 }
 
-int cell_file_read(interp *in, const char *path, int species_row, cell_row **rows, size_t *count, link_file *links,
-                   diag *d) {
-    *rows = NULL;
-    *count = 0;
-    reader r = {.in = in};
+static int read_table(reader *r, int species_row, diag *d) {
+    cell_file *f = r->file;
+    int status = SARCINA_OK;
     size_t capacity = 0;
-    int status = csv_open(&r.table, path, d);
-    if (status)
-        return status;
-    while (!status && csv_next(&r.table)) {
-        if (r.table.n == 1 && !*trim(r.table.fields[0]))
+    while (!status && csv_next(&r->table)) {
+        if (r->table.n == 1 && !*trim(r->table.fields[0]))
             continue;
-        if (!r.ncolumns) {
-            status = read_header(&r, d);
+        if (!r->ncolumns) {
+            status = read_header(r, d);
             continue;
         }
-        if (link_file_begins(&r.table)) {
-            status = links ? link_file_read(links, &r.table, d) : SARCINA_OK;
-            break;
-        }
-        *rows = alloc_grow(*rows, &capacity, *count + 1, sizeof **rows);
-        (*rows)[*count] = (cell_row){.species = species_row, .mass = NAN, .diameter = NAN};
-        status = read_row(&r, &(*rows)[(*count)++], d);
-    }
-    if (!status && !r.ncolumns)
-        status = diag_error(d, "'%s' has no header line", path);
-    csv_close(&r.table);
-    free(r.columns);
-    if (status) {
-        cell_file_free(*rows, *count);
-        *rows = NULL;
-        *count = 0;
+        if (link_file_begins(&r->table))
+            return f->wants_links ? link_file_read(&f->links, &r->table, d) : SARCINA_OK;
+        f->rows = alloc_grow(f->rows, &capacity, f->count + 1, sizeof *f->rows);
+        f->rows[f->count] = (cell_row){.species = species_row, .mass = NAN, .diameter = NAN};
+        status = read_row(r, &f->rows[f->count++], d);
     }
     return status;
 }
 
-/* ---- writing ---------------------------------------------------------------------------------------------------- */
-
-/* Columns that not every scene needs. */
-typedef struct extent {
-    uint32_t particles; /* of the longest cell */
-    bool aspect, groups, frame;
-} extent;
-
-static extent find_extent(const cell_columns *c) {
-    extent e = {.particles = 1};
-    for (size_t i = 0; i < c->count; i++) {
-        const double *frame = c->frame + 4 * i;
-        e.particles = c->nparticles[i] > e.particles ? c->nparticles[i] : e.particles;
-        e.aspect = e.aspect || c->aspect[i] > 0;
-        e.groups = e.groups || c->groups[i];
-        e.frame = e.frame || frame[0] != 0 || frame[1] != 0 || frame[2] != 0 || frame[3] != 0;
-    }
-    return e;
+int cell_file_read(interp *in, const char *path, int species_row, bool as_they_were, cell_file *f, diag *d) {
+    *f = (cell_file){.wants_links = as_they_were, .wants_groups = as_they_were, .groups = interp_scene(in)->groups};
+    reader r = {.in = in, .file = f};
+    int status = csv_open(&r.table, path, d);
+    if (status)
+        return status;
+    status = read_table(&r, species_row, d);
+    if (!status && !r.ncolumns)
+        status = diag_error(d, "'%s' has no header line", path);
+    csv_close(&r.table);
+    free(r.columns);
+    if (status)
+        cell_file_free(f);
+    return status;
 }
 
-static void write_header(FILE *f, const scene *s, const extent *e) {
-    uint32_t particles = e->particles;
-    fprintf(f, "# sarcina cells: step %" PRIu64 ", time %.17g s\n", s->step, s->time);
-    fprintf(f, "species,id,parent,founder,generation,age[s],mass[pg],diameter[um]%s%s%s", e->aspect ? ",aspect" : "",
-            e->groups ? ",groups" : "", e->frame ? ",fi,fj,fk,fw" : "");
-    for (uint32_t i = 1; i <= particles; i++)
-        fprintf(f, ",x%u[um],y%u[um],z%u[um]", i, i, i);
-    for (uint32_t i = 1; i <= particles; i++)
-        fprintf(f, ",vx%u[um/s],vy%u[um/s],vz%u[um/s]", i, i, i);
-    fputc('\n', f);
-}
-
-/* Three numbers a particle; a cell with fewer of them leaves columns empty. */
-static void write_vectors(FILE *f, const double *v, uint32_t n, uint32_t particles) {
-    for (uint32_t i = 0; i < 3 * particles; i++)
-        if (i < 3 * n)
-            fprintf(f, ",%.17g", v[i]);
-        else
-            fputc(',', f);
-}
-
-static void write_groups(FILE *f, const scene *s, uint64_t groups) {
-    const char *before = ",";
-    if (!groups)
-        fputc(',', f);
-    for (int bit = 0; bit < GROUP_MAX; bit++)
-        if (groups >> bit & 1) {
-            fprintf(f, "%s%s", before, s->groups.name[bit]);
-            before = " ";
-        }
-}
-
-static void write_cell(FILE *f, const scene *s, uint32_t row, const extent *e) {
-    const cell_columns *c = &s->colony->cell;
-    uint32_t particles = e->particles;
-    const double *frame = c->frame + 4 * (size_t)row;
-    fprintf(f, "%s,%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%d,%.17g,%.17g,%.17g", s->species.list[c->species[row]].name,
-            c->id[row], c->parent[row], c->founder[row], c->generation[row], s->time - c->birth[row], c->mass[row],
-            c->diameter[row]);
-    if (e->aspect)
-        fprintf(f, ",%.17g", c->aspect[row]);
-    if (e->groups)
-        write_groups(f, s, c->groups[row]);
-    if (e->frame)
-        fprintf(f, ",%.17g,%.17g,%.17g,%.17g", frame[0], frame[1], frame[2], frame[3]);
-    write_vectors(f, s->colony->particle.x + 3 * (size_t)c->first[row], c->nparticles[row], particles);
-    write_vectors(f, s->colony->particle.v + 3 * (size_t)c->first[row], c->nparticles[row], particles);
-    fputc('\n', f);
-}
-
-int cell_file_write(interp *in, const char *path, diag *d) {
-    const scene *s = interp_scene(in);
-    const cell_columns *c = &s->colony->cell;
-    const extent e = find_extent(c);
-    FILE *f = path_open(path, "w", d);
-    if (!f)
-        return SARCINA_ERROR;
-    write_header(f, s, &e);
-    const uint32_t *order = colony_by_id(s->colony);
-    for (size_t i = 0; i < c->count; i++)
-        write_cell(f, s, order[i], &e);
-    link_file_write(f, s);
-    return path_close(f, path, d);
+void cell_file_make_groups(interp *in, const cell_file *f) {
+    for (size_t i = 0; i < f->nmade; i++)
+        session_define_group(in, f->groups.name[f->made[i]]);
 }

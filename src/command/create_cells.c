@@ -13,6 +13,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Mass of the new cells: a percent is of the mass at division, which must then be known. */
 static int read_mass(const scene *s, const args *a, int species_row, spread *mass, diag *d) {
@@ -122,21 +123,24 @@ static int run_grid(interp *in, const args *a, diag *d) {
 
 /* The file may give every cell its mass: only if one lacks it is the command's asked for. */
 static int run_file(interp *in, const args *a, diag *d) {
-    cell_row *rows;
-    size_t count, created;
+    cell_file f;
+    size_t created;
     int status = begin(in, a, d);
     if (interp_checking(in))
         forecast_unknown(in, "cells from files");
     if (status || interp_checking(in))
         return status;
-    status = cell_file_read(in, args_text(a, "FILE"), args_row(a, "NAME"), &rows, &count, NULL, d);
+    status = cell_file_read(in, args_text(a, "FILE"), args_row(a, "NAME"), false, &f, d);
     if (status)
         return status;
     bool needs_mass = args_given(a, "mass");
-    for (size_t i = 0; i < count; i++)
-        rows[i].id = 0; /* they are new cells here */
-    for (size_t i = 0; i < count; i++)
-        needs_mass = needs_mass || !(rows[i].mass > 0);
+    for (size_t i = 0; i < f.count; i++) {
+        cell_row *row = &f.rows[i]; /* of a new cell: what it was elsewhere does not count */
+        row->id = row->parent = row->founder = 0;
+        row->generation = row->age = 0;
+        memset(row->frame, 0, sizeof row->frame);
+        needs_mass = needs_mass || !(row->mass > 0);
+    }
     placement p = {.mass = spread_fixed(1)};
     diag lacks = {0};
     status = read_placement(in, a, &p, &lacks);
@@ -144,11 +148,11 @@ static int run_file(interp *in, const args *a, diag *d) {
         if (d)
             *d = lacks;
     } else {
-        status = scene_create_rows(interp_scene(in), &p, rows, count, &created, d);
+        status = scene_create_rows(interp_scene(in), &p, f.rows, f.count, &created, d);
         if (!status)
             finish(in, a, &p, created);
     }
-    cell_file_free(rows, count);
+    cell_file_free(&f);
     return status;
 }
 

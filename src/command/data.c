@@ -41,37 +41,58 @@ static int check_ids(const cell_row *rows, size_t n, diag *d) {
     return status;
 }
 
-static int run_read(interp *in, const args *a, diag *d) {
-    scene *s = interp_scene(in);
-    if (interp_checking(in)) {
-        forecast_unknown(in, "cells from files");
+static int check_masses(const cell_row *rows, size_t n, diag *d) {
+    for (size_t i = 0; i < n; i++)
+        if (!(rows[i].mass > 0)) {
+            diag_error(d, "cell %zu of the file has no mass", i + 1);
+            return diag_help(d, "write a column mass[pg] or length[um]; 'create_cells NAME file' draws masses");
+        }
+    return SARCINA_OK;
+}
+
+/* A check knows the groups of a file that is there, and creates no cells. */
+static int check_read(interp *in, const char *path, int species_row) {
+    cell_file f;
+    diag ignored = {0};
+    forecast_unknown(in, "cells from files");
+    if (cell_file_read(in, path, species_row, true, &f, &ignored) != SARCINA_OK) {
+        interp_open_world(in); /* it may be written, or changed, before: with any groups */
         return SARCINA_OK;
     }
+    cell_file_make_groups(in, &f);
+    cell_file_free(&f);
+    return SARCINA_OK;
+}
+
+static int run_read(interp *in, const args *a, diag *d) {
+    scene *s = interp_scene(in);
+    int only = s->species.count == 1 ? 0 : -1;
+    if (interp_checking(in))
+        return check_read(in, args_text(a, "FILE"), only);
     if (s->colony->cell.count) {
         diag_error(d, "read_data takes a scene without cells, and there are %zu", s->colony->cell.count);
         return diag_help(d, "'delete_cells all' before, or add to them: create_cells NAME file %s",
                          args_text(a, "FILE"));
     }
-    cell_row *rows;
-    size_t count, created = 0;
-    link_file links = {0};
-    int status = cell_file_read(in, args_text(a, "FILE"), -1, &rows, &count, &links, d);
+    cell_file f;
+    size_t created = 0;
+    int status = cell_file_read(in, args_text(a, "FILE"), only, true, &f, d);
+    if (status)
+        return status;
+    status = check_ids(f.rows, f.count, d);
     if (!status)
-        status = check_ids(rows, count, d);
-    for (size_t i = 0; i < count && !status; i++)
-        if (!(rows[i].mass > 0))
-            status = diag_error(d, "cell %zu of the file has no mass", i + 1);
+        status = check_masses(f.rows, f.count, d);
     if (!status)
-        status = link_file_check(&links, interp_scene(in), rows, count, d);
+        status = link_file_check(&f.links, s, f.rows, f.count, d);
     const placement p = {.orient = ORIENT_RANDOM, .gap = NAN, .overlap = true, .mass = spread_fixed(1), .maxtry = 1};
     if (!status)
-        status = scene_create_rows(s, &p, rows, count, &created, d);
+        status = scene_create_rows(s, &p, f.rows, f.count, &created, d);
     if (!status) {
-        link_file_add(&links, s);
+        cell_file_make_groups(in, &f);
+        link_file_add(&f.links, s);
         interp_print(in, "read %zu cells", created);
     }
-    cell_file_free(rows, count);
-    link_file_free(&links);
+    cell_file_free(&f);
     return status;
 }
 
@@ -94,10 +115,15 @@ static const command_form forms[] = {
      .params = read_params,
      .nparams = TABLE_COUNT(read_params),
      .summary = "Puts the cells of a file into a scene without cells",
-     .details = "They keep their ids, mothers, generations and ages; their species and groups must be there, and "
-                "every one needs a mass; their links come with them. Overlaps are taken as they are. To add new cells "
-                "of the same places, write 'create_cells "
-                "NAME file FILE'.",
+     .details =
+         "They keep their ids, mothers, generations and ages, where the file has them; groups that it names are "
+         "made; its links come with them. A table of one's own, such as a segmented picture, needs the columns x, "
+         "y and one of mass and length (over both caps); it may have species (where the scene has several), z "
+         "(else cells lie on the substratum, or in the plane of 'dimension 2'), diameter, and angle (in the "
+         "plane, from x towards y) or ux, uy, uz. Units stand in brackets in the header: x[um], "
+         "angle[degree]. A column that is not known is warned of. Overlaps are taken as they are. "
+         "To add new cells of the same places, write 'create_cells "
+         "NAME file FILE'.",
      .example = "write_data colony.csv\ndelete_cells all\nread_data colony.csv",
      .run = run_read},
 };

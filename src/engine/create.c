@@ -356,10 +356,9 @@ static void restore_cell(scene *s, const cell_row *from, uint32_t row) {
             c->particle.x[at] = from->particles[6 * i + (uint32_t)k];
             c->particle.v[at] = from->particles[6 * i + 3 + (uint32_t)k];
         }
-    if (!from->id)
-        return;
     c->cell.parent[row] = from->parent;
-    c->cell.founder[row] = from->founder ? from->founder : from->id;
+    if (from->founder)
+        c->cell.founder[row] = from->founder;
     c->cell.generation[row] = (int32_t)from->generation;
     c->cell.birth[row] = s->time - from->age;
     c->cell.groups[row] |= from->groups;
@@ -388,7 +387,7 @@ int scene_create_rows(scene *s, const placement *p, const cell_row *rows, size_t
         double mass = rows[i].mass > 0 ? rows[i].mass : draw_mass(p, stream);
         new_group g = add_group(s, p, rows[i].species, mass, rows[i].diameter);
         if (!rows[i].nparticles)
-            put_group(s, g, rows[i].centre, axis, p->gap);
+            put_group(s, g, rows[i].centre, axis, rows[i].on_plane && isnan(p->gap) ? 0 : p->gap);
         restore_cell(s, &rows[i], g.first);
         s->colony->next_cell_id = s->colony->next_cell_id > next ? s->colony->next_cell_id : next;
         if (!p->overlap && !group_has_room(s->colony, g, g.first)) {

@@ -149,6 +149,7 @@ typedef struct cell_row {
     double generation, age;
     double frame[4]; /* of the next division; 0: not drawn yet */
     uint64_t groups; /* bits of the group table */
+    bool on_plane;   /* it rests on the substratum, whatever its z */
 } cell_row;
 
 /* An error when places cannot be drawn from a region: it has no bounds. */
