@@ -13,13 +13,6 @@ const force_style *const force_styles[FORCE_COUNT] = {
     [FORCE_DLVO] = &force_dlvo,         [FORCE_DAMPING] = &force_damping,     [FORCE_GRAVITY] = &force_gravity,
 };
 
-const force_style *force_find(const char *name) {
-    for (int i = 0; i < FORCE_COUNT; i++)
-        if (strcmp(force_styles[i]->name, name) == 0)
-            return force_styles[i];
-    return NULL;
-}
-
 void force_direction(const force_frame *at, uint64_t key_a, uint64_t key_b, double u[3]) {
     (at->flat ? rng_direction_flat : rng_direction)(at->seed, key_a, key_b, u);
 }

@@ -130,9 +130,6 @@ typedef struct force_style {
 /* The records, in the order of force_kind. */
 extern const force_style *const force_styles[FORCE_COUNT];
 
-/* The term called name; NULL. */
-const force_style *force_find(const char *name);
-
 /* The direction of what has none: a unit vector from the seed and two keys, the opposite for the keys exchanged. */
 void force_direction(const force_frame *at, uint64_t key_a, uint64_t key_b, double u[3]);
 

@@ -1,21 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "relax/integrator.h"
 
-#include <string.h>
-
 const integrator_style *const integrator_styles[INTEGRATOR_COUNT] = {
     [INTEGRATOR_DOPRI5] = &integrator_dopri5, [INTEGRATOR_VERLET] = &integrator_verlet,
     [INTEGRATOR_RK4] = &integrator_rk4,       [INTEGRATOR_RKF45] = &integrator_rkf45,
     [INTEGRATOR_RK8PD] = &integrator_rk8pd,   [INTEGRATOR_EULER] = &integrator_euler,
     [INTEGRATOR_BS32] = &integrator_bs32,     [INTEGRATOR_NEWTON] = &integrator_newton,
 };
-
-int integrator_find(const char *name) {
-    for (int i = 0; i < INTEGRATOR_COUNT; i++)
-        if (strcmp(integrator_styles[i]->name, name) == 0)
-            return i;
-    return -1;
-}
 
 int integrator_check(const relax_settings *how, const char **wrong, diag *d) {
     const integrator_style *style = integrator_styles[how->integrator];

@@ -41,9 +41,6 @@ typedef struct integrator_style {
 /* The records, in the order of integrator_kind. */
 extern const integrator_style *const integrator_styles[INTEGRATOR_COUNT];
 
-/* Row of the integrator called name; -1. */
-int integrator_find(const char *name);
-
 /* A setting that the method would not look at is a slip: the error says why, *wrong is its keyword. */
 int integrator_check(const relax_settings *how, const char **wrong, diag *d);
 
