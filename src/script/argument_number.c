@@ -24,14 +24,24 @@ static bool looks_like_number(const char *text) {
     return isdigit((unsigned char)text[strspn(text, "+-.")]);
 }
 
+/* Whoever writes a formula where a number stands learns how: the name of a variable alone is one, too. */
+static int help_formula(const args *a, const slot *s, const word *w, int status, diag *d) {
+    const char *text = w->text;
+    bool begins_name = isalpha((unsigned char)*text), is_name = begins_name && variables_find(&a->in->variables, text);
+    if (status && (is_name || strpbrk(text, "(*+") || (begins_name && strchr(text, '/'))))
+        diag_help(d, "a formula stands in $( ): %s $(%s)", s->name, text);
+    return status;
+}
+
 /* Number and unit of a word; s says what was due. */
 static int read_value(args *a, const slot *s, const word *w, units_value *v, diag *d) {
     char name[48];
     if (!looks_like_number(w->text)) {
         const char *what = due(s, name);
-        return diag_error(d, "%s: expected %s %s, not '%s'", s->name, article(what), what, w->text);
+        diag_error(d, "%s: expected %s %s, not '%s'", s->name, article(what), what, w->text);
+        return help_formula(a, s, w, SARCINA_ERROR, d);
     }
-    return units_read(a->in->host->units, w->text, w->n, v, d);
+    return help_formula(a, s, w, units_read(a->in->host->units, w->text, w->n, v, d), d);
 }
 
 static int wrong_dimension(const slot *s, const word *w, dim got, diag *d) {
@@ -42,6 +52,8 @@ static int wrong_dimension(const slot *s, const word *w, dim got, diag *d) {
     const char *hint = units_hint(w->text + digits, w->n - digits, &s->d);
     if (hint)
         diag_help(d, "%s", hint);
+    else if (dim_equal(got, DIM_TIME) && dim_equal(s->d, DIM_RATE))
+        diag_help(d, "of a doubling time: %s $(ln(2)/%s)", s->name, w->text);
     return SARCINA_ERROR;
 }
 
