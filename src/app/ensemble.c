@@ -7,6 +7,7 @@
 #include "app/workers.h"
 #include "app/workers_mpi.h"
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/path.h"
 #include "engine/scene.h"
 
@@ -201,7 +202,7 @@ static int conclude(const progress *g, diag *d) {
     int status = done ? merge_tables(p, d) : SARCINA_OK;
     if (status)
         return status;
-    printf("%zu run%s: %zu done, %zu failed, %zu missing\n", p->nruns, p->nruns == 1 ? "" : "s", done, failed,
+    printf("%zu %s: %zu done, %zu failed, %zu missing\n", p->nruns, number_noun(p->nruns, "run", "runs"), done, failed,
            p->nruns - done - failed);
     if (done)
         printf("of those that are done: %s.ensemble.csv, %s.scalars.csv, %s.summary.csv\n", p->name, p->name, p->name);

@@ -7,6 +7,7 @@
 #include "app/repl.h"
 #include "app/test_run.h"
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/path.h"
 #include "command/commands.h"
 #include "command/past.h"
@@ -59,7 +60,7 @@ static int run_scripts(interp *in, const options *o, const char *piped) {
     size_t errors = n ? interp_check(in, list, n, !repl_is_wanted(o)) : 0;
     int status = errors ? SARCINA_ERROR : SARCINA_OK, code;
     if (o->check && n)
-        printf("%zu error%s\n", errors, errors == 1 ? "" : "s");
+        printf("%zu %s\n", errors, number_noun(errors, "error", "errors"));
     for (size_t i = 0; i < n && !o->check && !status && !interp_has_quit(in, &code); i++)
         status = run(in, o, &list[i]);
     free(list);

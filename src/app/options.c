@@ -2,6 +2,7 @@
 #include "app/options.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/table.h"
 #include "script/page.h"
 
@@ -164,8 +165,8 @@ static int take_option(options *o, const char *name, char **words, int left, int
         return near ? diag_help(d, "did you mean '-%s'?", near) : SARCINA_USAGE;
     }
     if (left < table[row].words)
-        return diag_fail(d, SARCINA_USAGE, "-%s needs %d word%s behind it", name, table[row].words,
-                         table[row].words == 1 ? "" : "s");
+        return diag_fail(d, SARCINA_USAGE, "-%s needs %d %s behind it", name, table[row].words,
+                         number_noun((uint64_t)table[row].words, "word", "words"));
     *used = table[row].words;
     return table[row].take(o, words, d);
 }

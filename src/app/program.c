@@ -6,6 +6,7 @@
 #include "app/editor.h"
 #include "app/terminal.h"
 #include "base/alloc.h"
+#include "base/number.h"
 #include "command/commands.h"
 #include "script/source.h"
 
@@ -318,7 +319,7 @@ void program_end(program *p, interp *in) {
     interp_tell_warnings(in);
     uint64_t n = interp_warnings(in);
     if (n)
-        fprintf(stderr, "%" PRIu64 " warning%s\n", n, n == 1 ? "" : "s");
+        fprintf(stderr, "%" PRIu64 " %s\n", n, number_noun(n, "warning", "warnings"));
     logfile_end(&p->log, n);
 }
 

@@ -5,6 +5,7 @@
 #include "app/repl_history.h"
 #include "app/repl_line.h"
 #include "base/alloc.h"
+#include "base/number.h"
 #include "command/past.h"
 #include "script/block.h"
 
@@ -98,8 +99,8 @@ static void run_init(const repl *r, const options *o) {
 
 static void greet(const repl *r) {
     int threads = interp_scene(r->in)->threads;
-    interp_screen(r->in, "sarcina %s (%d thread%s)  'help' lists commands, 'help COMMAND' explains one, Tab completes",
-                  SARCINA_VERSION, threads, threads == 1 ? "" : "s");
+    interp_screen(r->in, "sarcina %s (%d %s)  'help' lists commands, 'help COMMAND' explains one, Tab completes",
+                  SARCINA_VERSION, threads, number_noun((uint64_t)threads, "thread", "threads"));
 }
 
 static bool is_blank(const char *text) {

@@ -3,6 +3,7 @@
 
 #include "app/table_diff.h"
 #include "base/alloc.h"
+#include "base/number.h"
 
 #include <dirent.h>
 #include <inttypes.h>
@@ -202,7 +203,8 @@ int test_run_all(program *p, const options *o) {
     }
     p->screen = screen;
     free(l.list);
-    printf("%zu scripts\n%" PRIu64 " passed, %" PRIu64 " failed\n", t.scripts, t.passed, t.failed);
+    printf("%zu %s\n%" PRIu64 " passed, %" PRIu64 " failed\n", t.scripts, number_noun(t.scripts, "script", "scripts"),
+           t.passed, t.failed);
     if (t.failed)
         return SARCINA_EXPECT;
     return t.scripts ? SARCINA_OK : SARCINA_ERROR;

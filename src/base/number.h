@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /* Characters of the number that text (n bytes) begins with; 0: it begins with none. An `e` without digits behind it
  * is no part of the number: 5em is 5 and `em`. */
@@ -16,5 +17,10 @@ double number_read(const char *text, size_t n, int shift);
 
 /* x as the shortest of %.15g and %.17g that reads back as x. */
 const char *number_write(double x, char buffer[32]);
+
+/* What n things are called in a sentence, as in "1 cell", "0 cells", "2 entries". */
+static inline const char *number_noun(uint64_t n, const char *one, const char *many) {
+    return n == 1 ? one : many;
+}
 
 #endif

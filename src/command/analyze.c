@@ -6,6 +6,7 @@
 #include "command/output_list.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/path.h"
 #include "base/table.h"
 #include "output/field.h"
@@ -78,7 +79,8 @@ static int first_value(const output_analysis *p, const char *field, double index
     if (field && strcmp(field, "kept") == 0) {
         k = isnan(index) ? 0 : (size_t)index - 1;
         if (k >= p->nkept)
-            return diag_error(d, "%s keeps %zu values, not %g", p->id, p->nkept, isnan(index) ? 1 : index);
+            return diag_error(d, "%s keeps %zu %s, not %g", p->id, p->nkept, number_noun(p->nkept, "value", "values"),
+                              isnan(index) ? 1 : index);
         *dimension = p->kept[k].d;
         x = p->values[k];
     } else if (!field || strcmp(field, "step") == 0) {

@@ -2,6 +2,7 @@
 #include "command/analyze_bins.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/path.h"
 #include "base/table.h"
 #include "analysis/bins.h"
@@ -367,8 +368,8 @@ static int run_now(interp *in, const args *a, diag *d) {
     if (!status) {
         char suffix[48];
         dim_suffix(b->value.d, suffix);
-        interp_print(in, "%s%s%s%s of %.0f cells", b->value.name, *suffix ? " [" : "", suffix, *suffix ? "]" : "",
-                     k.total);
+        interp_print(in, "%s%s%s%s of %.0f %s", b->value.name, *suffix ? " [" : "", suffix, *suffix ? "]" : "", k.total,
+                     number_noun((uint64_t)k.total, "cell", "cells"));
         print_bins(in, b, &k);
         bins_free(&k);
     }

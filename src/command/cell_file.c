@@ -353,8 +353,8 @@ static int check_row(const reader *r, read_cell *cell, diag *d) {
     const species *sp = &interp_scene(r->in)->species.list[row->species];
     size_t wanted = species_particles(sp);
     if (r->particles && row->nparticles != wanted)
-        return diag_error(d, "%s:%zu: a cell of %s has %zu particle%s, not %u", r->table.path, r->table.row, sp->name,
-                          wanted, wanted == 1 ? "" : "s", row->nparticles);
+        return diag_error(d, "%s:%zu: a cell of %s has %zu %s, not %u", r->table.path, r->table.row, sp->name, wanted,
+                          number_noun(wanted, "particle", "particles"), row->nparticles);
     if (!isnan(cell->angle)) {
         row->axis[0] = Sleef_cinz_cosd1_u10purec(cell->angle);
         row->axis[1] = Sleef_cinz_sind1_u10purec(cell->angle);
@@ -379,7 +379,8 @@ static int read_row(reader *r, cell_row *row, diag *d) {
     if (!status && n > r->ncolumns)
         status = diag_error(d, "%s:%zu: more values than columns (%zu)", r->table.path, r->table.row, r->ncolumns);
     if (!status && n < r->ncolumns)
-        status = diag_error(d, "%s:%zu: %zu values for %zu columns", r->table.path, r->table.row, n, r->ncolumns);
+        status = diag_error(d, "%s:%zu: %zu %s for %zu columns", r->table.path, r->table.row, n,
+                            number_noun(n, "value", "values"), r->ncolumns);
     if (!status)
         status = check_row(r, &cell, d);
     *row = cell.row; /* also after an error: its particles are freed with it */

@@ -8,6 +8,7 @@
 #include "command/session.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/table.h"
 #include "biology/division.h"
 
@@ -56,7 +57,7 @@ static void finish(interp *in, const args *a, const placement *p, size_t created
     int bit = args_given(a, "group") ? session_define_group(in, args_text(a, "group")) : -1;
     for (size_t row = s->colony->cell.count - created; row < s->colony->cell.count && bit >= 0; row++)
         s->colony->cell.groups[row] |= UINT64_C(1) << bit;
-    interp_print(in, "created %zu cell%s of %s: %zu in all", created, created == 1 ? "" : "s",
+    interp_print(in, "created %zu %s of %s: %zu in all", created, number_noun(created, "cell", "cells"),
                  s->species.list[p->species].name, s->colony->cell.count);
 }
 

@@ -7,6 +7,7 @@
 #include "command/session.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/table.h"
 
 #include <math.h>
@@ -90,7 +91,7 @@ static int run_read(interp *in, const args *a, diag *d) {
     if (!status) {
         cell_file_make_groups(in, &f);
         link_file_add(&f.links, s);
-        interp_print(in, "read %zu cells", created);
+        interp_print(in, "read %zu %s", created, number_noun(created, "cell", "cells"));
     }
     cell_file_free(&f);
     return status;

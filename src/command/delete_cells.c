@@ -6,6 +6,7 @@
 #include "command/session.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/table.h"
 
 #include <math.h>
@@ -67,7 +68,8 @@ static int run_delete(interp *in, const args *a, diag *d) {
         for (size_t i = 0; i < n; i++)
             deleted += flags[i];
         scene_delete(s, flags);
-        interp_print(in, "deleted %zu of %zu cells: %zu left", deleted, n, s->colony->cell.count);
+        interp_print(in, "deleted %zu of %zu %s: %zu left", deleted, n, number_noun(n, "cell", "cells"),
+                     s->colony->cell.count);
     }
     free(flags);
     free(where);

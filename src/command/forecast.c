@@ -5,6 +5,7 @@
 #include "command/forecast.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "biology/division.h"
 #include "biology/growth.h"
 #include "command/output_list.h"
@@ -307,8 +308,12 @@ static double bytes_of(const forecast *f, const forecast_price *price, double ce
            f->most_pixels * (double)render_pixel_bytes();
 }
 
-static const char *plural(double n) {
-    return n > 1 ? "s" : "";
+static const char *cells_noun(double n) {
+    return number_noun((uint64_t)ceil(n), "cell", "cells");
+}
+
+static const char *cycles_noun(double n) {
+    return number_noun((uint64_t)ceil(n), "cycle", "cycles");
 }
 
 static void put_unknown(interp *in, const forecast *f, const forecast_end *end, const forecast_price *price) {
@@ -320,8 +325,8 @@ static void put_unknown(interp *in, const forecast *f, const forecast_end *end, 
         return;
     forecast_cost(price, end->cells, &evaluations, &seconds);
     say_time(seconds, time);
-    interp_screen(in, "not known before the run: when '%s' holds; a relaxation of 1 s of %.0f cells takes %s",
-                  expr_text(end->open), ceil(end->cells), time);
+    interp_screen(in, "not known before the run: when '%s' holds; a relaxation of 1 s of %.0f %s takes %s",
+                  expr_text(end->open), ceil(end->cells), cells_noun(end->cells), time);
 }
 
 static void put_estimate(interp *in, const forecast *f, const forecast_end *end, const forecast_price *price) {
@@ -336,13 +341,14 @@ static void put_estimate(interp *in, const forecast *f, const forecast_end *end,
     say_time(seconds + pictures + tradeoffs, time);
     say_time(pictures, drawing);
     interp_screen(in,
-                  "estimate, to a factor of 3: %s%.0f cell%s after %s%.0f cycle%s of %.3g force evaluations, %s of one "
+                  "estimate, to a factor of 3: %s%.0f %s after %s%.0f %s of %.3g force evaluations, %s of one "
                   "processor, %.0f MB",
-                  most, ceil(end->cells), plural(end->cells), most, load.cycles, plural(load.cycles),
+                  most, ceil(end->cells), cells_noun(end->cells), most, load.cycles, cycles_noun(load.cycles),
                   load.relaxations > 0 ? evaluations / load.relaxations : 0, time,
                   1e-6 * bytes_of(f, price, end->cells));
     if (load.frames > 0)
-        interp_screen(in, "of it %.0f picture%s: %s", ceil(load.frames), plural(load.frames), drawing);
+        interp_screen(in, "of it %.0f %s: %s", ceil(load.frames),
+                      number_noun((uint64_t)ceil(load.frames), "picture", "pictures"), drawing);
     if (tradeoffs > 0) {
         say_time(tradeoffs, time);
         interp_screen(in, "of it tradeoff: %s", time);
@@ -364,10 +370,11 @@ void forecast_report(interp *in) {
     if (cycles == 0) {
         interp_screen(in, "estimate: no cycles");
     } else if (end.cells == 0) {
-        interp_screen(in, "estimate: %.0f cycles without a cell that the check knows of", cycles);
+        interp_screen(in, "estimate: %.0f %s without a cell that the check knows of", cycles, cycles_noun(cycles));
     } else if (forecast_rehearse(in, f, &end, &price, &why) != SARCINA_OK) {
-        interp_screen(in, "estimate: %.0f cells after %.0f cycles; the beginning could not be relaxed: %s",
-                      ceil(end.cells), cycles, *why.message ? why.message : "no place for the cells");
+        interp_screen(in, "estimate: %.0f %s after %.0f %s; the beginning could not be relaxed: %s", ceil(end.cells),
+                      cells_noun(end.cells), cycles, cycles_noun(cycles),
+                      *why.message ? why.message : "no place for the cells");
     } else {
         end = forecast_project(in, f);
         put_estimate(in, f, &end, &price);

@@ -5,6 +5,7 @@
 #include "command/session.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/table.h"
 
 #include <stdlib.h>
@@ -172,7 +173,7 @@ static void report(interp *in, const char *name, const bool *flags) {
     size_t n = interp_scene(in)->colony->cell.count, members = 0;
     for (size_t i = 0; i < n; i++)
         members += flags[i];
-    interp_print(in, "group %s: %zu of %zu cells", name, members, n);
+    interp_print(in, "group %s: %zu of %zu %s", name, members, n, number_noun(n, "cell", "cells"));
     if (members == 0 && !interp_checking(in))
         interp_warn(in,
                     "group %s is empty, and only daughters of its cells join it; 'group %s dynamic ...' is judged "

@@ -4,6 +4,7 @@
 #include "command/forecast.h"
 #include "command/run_report.h"
 
+#include "base/number.h"
 #include "base/table.h"
 #include "relax/integrator.h"
 
@@ -43,12 +44,14 @@ static void tell_end(interp *in, const relax_result *r) {
     unsigned long long steps = r->steps, evaluations = r->evaluations, products = r->products;
     double force = dim_from_engine(r->fmax, DIM_FORCE);
     if (integrator_styles[interp_scene(in)->relax.integrator]->caps & INTEGRATOR_MINIMISES)
-        interp_print(
-            in, "minimised in %llu steps (%llu evaluations, %llu products): stopped by %s, largest net force %.3g N",
-            steps, evaluations, products, r->stop == RELAX_FORCE ? "force" : "no further descent", force);
+        interp_print(in,
+                     "minimised in %llu %s (%llu evaluations, %llu products): stopped by %s, largest net force %.3g N",
+                     steps, number_noun(steps, "step", "steps"), evaluations, products,
+                     r->stop == RELAX_FORCE ? "force" : "no further descent", force);
     else
-        interp_print(in, "relaxed for %.6g s in %llu steps (%llu evaluations): stopped by %s, largest net force %.3g N",
-                     r->time, steps, evaluations, r->stop == RELAX_FORCE ? "force" : "time", force);
+        interp_print(in, "relaxed for %.6g s in %llu %s (%llu evaluations): stopped by %s, largest net force %.3g N",
+                     r->time, steps, number_noun(steps, "step", "steps"), evaluations,
+                     r->stop == RELAX_FORCE ? "force" : "time", force);
 }
 
 /* Stops when the forces are small, or after `within`; says which. */

@@ -5,6 +5,7 @@
 #include "command/session.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/table.h"
 
 #include <inttypes.h>
@@ -19,7 +20,8 @@ static void show_groups(interp *in) {
         for (uint32_t row = 0; row < s->colony->cell.count; row++)
             n += group_has(s->colony, row, bit);
         if (*s->groups.name[bit])
-            interp_print(in, "group       %s: %zu of %zu cells", s->groups.name[bit], n, s->colony->cell.count);
+            interp_print(in, "group       %s: %zu of %zu %s", s->groups.name[bit], n, s->colony->cell.count,
+                         number_noun(s->colony->cell.count, "cell", "cells"));
     }
     for (size_t i = 0; i < own->ndynamic; i++)
         interp_print(in, "group       %s: dynamic %s", own->dynamic[i].name, expr_text(own->dynamic[i].test));

@@ -4,6 +4,7 @@
 
 #include "command/style_values.h"
 
+#include "base/number.h"
 #include "base/table.h"
 #include "biology/division.h"
 #include "biology/growth.h"
@@ -48,8 +49,9 @@ static const char *const shape_names[] = {
 static void show_species(interp *in, const scene *s, info_put put) {
     for (size_t i = 0; i < s->species.count; i++) {
         const species *sp = &s->species.list[i];
-        put(in, "species     %s: %s, %zu cells, growth %s, division %s", sp->name, shape_names[sp->shape],
-            cells_of(s, i), sp->growth.style < 0 ? "off" : growth_styles[sp->growth.style].name,
+        put(in, "species     %s: %s, %zu %s, growth %s, division %s", sp->name, shape_names[sp->shape], cells_of(s, i),
+            number_noun(cells_of(s, i), "cell", "cells"),
+            sp->growth.style < 0 ? "off" : growth_styles[sp->growth.style].name,
             sp->division.style < 0 ? "off" : division_styles[sp->division.style]->name);
     }
 }
@@ -138,7 +140,8 @@ static void show_rule(interp *in, const scene *s, int kind, size_t a, size_t b, 
     if (style->pairs)
         add(&l, " %s", s->species.list[b].name);
     add_parameters(&l, style->params, style->nparams, rule->p);
-    put(in, "link        %s: %zu links", l.text, links_between(s, kind, a, b));
+    put(in, "link        %s: %zu %s", l.text, links_between(s, kind, a, b),
+        number_noun(links_between(s, kind, a, b), "link", "links"));
 }
 
 /* Rules for links, and how often links form and break. */
@@ -211,7 +214,7 @@ static void show_contacts(interp *in, const scene *s, bool bound, info_put put) 
     }
     put(in, "contacts    of %s%s, kernel %s", bound && m.spheres ? "spheres" : "segments",
         bound && m.flat ? " in x and y alone" : "", m.kernel);
-    put(in, "neighbours  %zu entries, skin %.3g um, method %s", m.pairs, m.skin,
+    put(in, "neighbours  %zu %s, skin %.3g um, method %s", m.pairs, number_noun(m.pairs, "entry", "entries"), m.skin,
         s->neighbor.method == NEIGHBOR_CELLS ? "cells" : "pairs");
 }
 
@@ -300,9 +303,10 @@ void info_scene_show(interp *in, info_put put) {
     scene *s = interp_scene(in);
     diag problem = {0};
     bool bound = scene_prepare(s, &problem) == SARCINA_OK;
-    put(in, "scene       %zu cells of %zu particles%s, %zu links, step %" PRIu64 ", time %g s, relaxed %g s",
-        s->colony->cell.count, s->colony->particle.count, s->dimension == 2 ? " in the plane" : "",
-        s->colony->link.count, s->step, s->time, s->relaxed);
+    put(in, "scene       %zu %s of %zu %s%s, %zu %s, step %" PRIu64 ", time %g s, relaxed %g s", s->colony->cell.count,
+        number_noun(s->colony->cell.count, "cell", "cells"), s->colony->particle.count,
+        number_noun(s->colony->particle.count, "particle", "particles"), s->dimension == 2 ? " in the plane" : "",
+        s->colony->link.count, number_noun(s->colony->link.count, "link", "links"), s->step, s->time, s->relaxed);
     show_species(in, s, put);
     show_forces(in, s, bound, put);
     show_links(in, s, bound, put);
@@ -310,7 +314,8 @@ void info_scene_show(interp *in, info_put put) {
     show_contacts(in, s, bound, put);
     show_memory(in, s, put);
     show_time(in, s, put);
-    put(in, "seed        %" PRIu64 ", %d thread%s", rng_get_seed(s->rng), s->threads, s->threads == 1 ? "" : "s");
+    put(in, "seed        %" PRIu64 ", %d %s", rng_get_seed(s->rng), s->threads,
+        number_noun((uint64_t)s->threads, "thread", "threads"));
     if (!bound)
         put(in, "cannot run  %s", problem.message);
 }

@@ -6,6 +6,7 @@
 
 #include "base/alloc.h"
 #include "base/build.h"
+#include "base/number.h"
 #include "base/table.h"
 #include "engine/flat.h"
 #include "model/link.h"
@@ -93,7 +94,7 @@ static int run_stick_now(interp *in, const args *a, diag *d) {
     size_t formed;
     int status = scene_stick(interp_scene(in), &formed, d);
     if (!status)
-        interp_print(in, "formed %zu sticking link%s", formed, formed == 1 ? "" : "s");
+        interp_print(in, "formed %zu sticking %s", formed, number_noun(formed, "link", "links"));
     return status;
 }
 

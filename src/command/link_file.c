@@ -67,8 +67,8 @@ static bool read_field(const char *text, size_t i, link_file_row *row) {
 static int read_row(link_file *l, const csv *t, diag *d) {
     link_file_row row = {0};
     if (t->n != TABLE_COUNT(fields))
-        return diag_error(d, "%s:%zu: a spring of a link has %zu values, not %zu", t->path, t->row, t->n,
-                          TABLE_COUNT(fields));
+        return diag_error(d, "%s:%zu: a spring of a link has %zu %s, not %zu", t->path, t->row, t->n,
+                          number_noun(t->n, "value", "values"), TABLE_COUNT(fields));
     for (size_t i = 0; i < t->n; i++)
         if (!read_field(t->fields[i], i, &row))
             return diag_error(d, "%s:%zu: value %zu of a link cannot be '%s'", t->path, t->row, i + 1, t->fields[i]);

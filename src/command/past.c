@@ -2,6 +2,7 @@
 #include "command/past.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/path.h"
 #include "command/session.h"
 
@@ -89,8 +90,8 @@ static void make_room(interp *in, past *p) {
     if (kept == p->dropped || !p->list[kept - 1].before)
         return;
     if (p->dropped == 0)
-        interp_screen(in, "from here on undo goes back %zu command%s: older states are dropped", p->n - kept,
-                      p->n - kept == 1 ? "" : "s");
+        interp_screen(in, "from here on undo goes back %zu %s: older states are dropped", p->n - kept,
+                      number_noun(p->n - kept, "command", "commands"));
     for (size_t i = p->dropped; i < kept; i++) {
         archive_free(p->list[i].before);
         p->list[i].before = NULL;
@@ -223,8 +224,11 @@ static int check_levels(const past *p, size_t n, diag *d) {
         if (e && e->before)
             continue;
         if (e && !e->given)
-            return diag_error(d, "undo goes back no further than %zu commands: older states have been dropped", i);
-        return i ? diag_error(d, "there are %zu commands to undo", i) : diag_error(d, "there is nothing to undo");
+            return diag_error(d, "undo goes back no further than %zu %s: older states have been dropped", i,
+                              number_noun(i, "command", "commands"));
+        return i ? diag_error(d, "there %s %zu %s to undo", number_noun(i, "is", "are"), i,
+                              number_noun(i, "command", "commands"))
+                 : diag_error(d, "there is nothing to undo");
     }
     return SARCINA_OK;
 }

@@ -7,6 +7,7 @@
 #include "command/plot_table.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/path.h"
 #include "base/table.h"
 #include "output/plot.h"
@@ -129,7 +130,8 @@ static int run_thermo(interp *in, const args *a, diag *d) {
         return status;
     size_t rows = thermo_rows(o->table);
     if (rows < 2)
-        return diag_error(d, "the thermo table has %zu rows: there is nothing to draw", rows);
+        return diag_error(d, "the thermo table has %zu %s: there is nothing to draw", rows,
+                          number_noun(rows, "row", "rows"));
     set_axes(&p, a);
     return draw(in, a, &p, d);
 }

@@ -4,6 +4,7 @@
 #include "command/past.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/table.h"
 
 #include <stdlib.h>
@@ -25,7 +26,7 @@ static int run_save(interp *in, const args *a, diag *d) {
     }
     int status = past_save(in, file, &lines, d);
     if (!status)
-        interp_screen(in, "%s: %zu command%s", file, lines, lines == 1 ? "" : "s");
+        interp_screen(in, "%s: %zu %s", file, lines, number_noun(lines, "command", "commands"));
     return status;
 }
 

@@ -6,6 +6,7 @@
 #include "command/session.h"
 #include "command/watch.h"
 
+#include "base/number.h"
 #include "base/table.h"
 #include "output/progress.h"
 
@@ -168,9 +169,10 @@ static void tell_attached(interp *in, uint64_t arrived, uint64_t crowded) {
     arrived = t->arrived - arrived;
     crowded = t->crowded - crowded;
     if (crowded)
-        interp_print(in, "attached %" PRIu64 " cells; %" PRIu64 " found no place", arrived, crowded);
+        interp_print(in, "attached %" PRIu64 " %s; %" PRIu64 " found no place", arrived,
+                     number_noun(arrived, "cell", "cells"), crowded);
     else if (arrived)
-        interp_print(in, "attached %" PRIu64 " cells", arrived);
+        interp_print(in, "attached %" PRIu64 " %s", arrived, number_noun(arrived, "cell", "cells"));
 }
 
 static int run_cycles(interp *in, const plan *p, diag *d) {

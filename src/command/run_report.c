@@ -5,6 +5,7 @@
 
 #include "analysis/view_cache.h"
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/table.h"
 #include "command/info_scene.h"
 #include "mechanics/force_style.h"
@@ -189,8 +190,10 @@ static void put_sections(interp *in, const run_report *r, double wall, uint64_t 
 
 static void put_loop_time(interp *in, double seconds, uint64_t cycles) {
     const scene *s = interp_scene(in);
-    interp_screen(in, "Loop time of %.6g s on %d thread%s for %" PRIu64 " cycles with %zu cells", seconds, s->threads,
-                  s->threads == 1 ? "" : "s", cycles, s->colony->cell.count);
+    interp_screen(in, "Loop time of %.6g s on %d %s for %" PRIu64 " %s with %zu %s", seconds, s->threads,
+                  number_noun((uint64_t)s->threads, "thread", "threads"), cycles,
+                  number_noun(cycles, "cycle", "cycles"), s->colony->cell.count,
+                  number_noun(s->colony->cell.count, "cell", "cells"));
 }
 
 void run_report_end(interp *in, run_report *r, double seconds, uint64_t cycles) {
@@ -234,10 +237,9 @@ void run_report_stalled(interp *in, uint64_t n) {
     if (n == 0)
         return;
     interp_warn(in,
-                "%" PRIu64
-                " relaxation%s ended before all was at rest; the last with a net force of %.3g N on cell %" PRIu64
+                "%" PRIu64 " %s ended before all was at rest; the last with a net force of %.3g N on cell %" PRIu64
                 ", most of it by %s: a pull that nothing stops, a law that jumps (contact closest), or less than "
                 "rounding leaves",
-                n, n == 1 ? "" : "s", dim_from_engine(t->stalled_force, DIM_FORCE), t->stalled_cell,
-                t->stalled_term < FORCE_COUNT ? force_styles[t->stalled_term]->name : "no term");
+                n, number_noun(n, "relaxation", "relaxations"), dim_from_engine(t->stalled_force, DIM_FORCE),
+                t->stalled_cell, t->stalled_term < FORCE_COUNT ? force_styles[t->stalled_term]->name : "no term");
 }

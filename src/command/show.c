@@ -5,6 +5,7 @@
 #include "command/watch.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/table.h"
 #include "output/blocks.h"
 #include "output/camera.h"
@@ -79,8 +80,8 @@ static void put_caption(FILE *f, const scene *s, int from, double scale, blocks_
     static const char *const axes[] = {"x to the right, y up", "x to the right, z up", "y to the right, z up"};
     size_t n = s->colony->cell.count;
     char *bar = scale > 0 ? blocks_scale_bar(style, scale, columns / 4) : alloc_copy("");
-    fprintf(f, "%s%s%zu cell%s, step %" PRIu64 "; %s: %s\n", bar, *bar ? "  " : "", n, n == 1 ? "" : "s", s->step,
-            camera_views[from].name, axes[from]);
+    fprintf(f, "%s%s%zu %s, step %" PRIu64 "; %s: %s\n", bar, *bar ? "  " : "", n, number_noun(n, "cell", "cells"),
+            s->step, camera_views[from].name, axes[from]);
     free(bar);
 }
 

@@ -8,6 +8,7 @@
 #include "command/tradeoff_table.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/path.h"
 #include "base/table.h"
 #include "output/plot.h"
@@ -85,7 +86,8 @@ static int observe(void *self, size_t method, size_t seed, double *values, diag 
         status = o->columns[i].number(o->columns[i].self, 0, &values[i], d);
     if (interp_has_progress(o->in)) {
         char line[80];
-        snprintf(line, sizeof line, "tradeoff: %zu of %zu runs", seed * o->methods + method + 1, o->seeds * o->methods);
+        snprintf(line, sizeof line, "tradeoff: %zu of %zu %s", seed * o->methods + method + 1, o->seeds * o->methods,
+                 number_noun(o->seeds * o->methods, "run", "runs"));
         interp_progress(o->in, line);
     }
     return status;
@@ -99,17 +101,30 @@ static void free_observed(observed *o) {
     }
 }
 
-/* On a plane size, order and layers, in the bulk size and density; links where there are any. Measures that tell with
- * few seeds: extremes (thickness) and means near zero (orientation of a large colony, or of a floc) take hundreds. */
+/* Rods and flexible cells have axes, cocci have none. */
+static bool has_axes(const colony *c) {
+    for (size_t row = 0; row < c->cell.count; row++)
+        if (c->cell.nparticles[row] > 1)
+            return true;
+    return false;
+}
+
+static void observe_value(interp *in, observed *o, const char *name, const char *field) {
+    o->columns[o->n++] = output_list_plain_column(in, name, field);
+}
+
+/* Size; over a substratum and in two dimensions order, of cells that have axes; over a substratum layers, else density;
+ * links where there are any. Measures that tell with few seeds: extremes (thickness) and means near zero (orientation
+ * of a large colony, or of a floc) take hundreds. */
 static void observe_default(interp *in, observed *o) {
-    scene *s = interp_scene(in);
-    bool plane = s->forces.term[FORCE_SUBSTRATUM].on;
-    o->columns[o->n++] = output_list_plain_column(in, "gyration", NULL);
-    o->columns[o->n++] = output_list_plain_column(in, plane ? "nematic" : "compactness", NULL);
-    if (plane)
-        o->columns[o->n++] = output_list_plain_column(in, "layering", "mean");
+    const scene *s = interp_scene(in);
+    const bool over = s->forces.term[FORCE_SUBSTRATUM].on, flat = s->dimension == 2;
+    observe_value(in, o, "gyration", NULL);
+    if ((over || flat) && has_axes(s->colony))
+        observe_value(in, o, "nematic", flat ? "plane" : NULL);
+    observe_value(in, o, over ? "layering" : "compactness", over ? "mean" : NULL);
     if (s->colony->link.count)
-        o->columns[o->n++] = output_list_plain_column(in, "links", NULL);
+        observe_value(in, o, "links", NULL);
 }
 
 static int observe_one(observed *o, const args *a, size_t i, diag *d) {
@@ -283,8 +298,9 @@ static const param params[] = {
     {"grow:time[0,)", "growth before the relaxation; without it, that of the run before, or none"},
     {"cycles=0:int[0,)", "also runs of this many cycles by each, and compares what they end with"},
     {"seeds=1:int[1,)", "runs by each: from the scene's seed, and from those that follow it"},
-    {"observe:value...", "what is compared; without it: gyration; over a plane nematic and layering.mean, else "
-                         "compactness; links where there are any"},
+    {"observe:value...", "what is compared; without it: gyration; over a substratum and in dimension 2 nematic "
+                         "(nematic.plane), where cells have axes; over a substratum layering.mean, else compactness; "
+                         "links where there are any"},
     {"against:word", "which of them the others are compared with; without it, the most exact"},
     {"margin=2%:fraction%(0,1)", "differences below this part of the mean are of no interest"},
     {"file:file", "a CSV file for what was found, in SI units"},

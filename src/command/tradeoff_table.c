@@ -2,6 +2,7 @@
 #include "command/tradeoff_table.h"
 
 #include "base/dim.h"
+#include "base/number.h"
 #include "output/field.h"
 #include "output/readable.h"
 
@@ -50,7 +51,8 @@ void tradeoff_table_relaxation(interp *in, const tradeoff_result *r) {
     bool chaos = false;
     if (r->plan.grow > 0)
         snprintf(grow, sizeof grow, "growth for %g s, then ", r->plan.grow);
-    interp_print(in, "%sone relaxation of %g s, %zu cells", grow, r->plan.relax, r->reference.cells);
+    interp_print(in, "%sone relaxation of %g s, %zu %s", grow, r->plan.relax, r->reference.cells,
+                 number_noun(r->reference.cells, "cell", "cells"));
     print_reference(in, &r->reference);
     interp_print(in, "  %-*s %10s %12s %9s %11s %11s", width, "preset", "CPU s", "evaluations", "steps", "error um",
                  "rms um");
@@ -98,8 +100,9 @@ static void print_comparison(interp *in, const tradeoff_result *r, int width, si
 void tradeoff_table_cycles(interp *in, const tradeoff_result *r) {
     const tradeoff_runs *runs = &r->runs;
     int width = width_of(r);
-    interp_print(in, "%" PRIu64 " cycles of growth for %g s and relaxation of %g s, %zu seeds", r->cycles, r->plan.grow,
-                 r->plan.relax, runs->seeds);
+    interp_print(in, "%" PRIu64 " %s of growth for %g s and relaxation of %g s, %zu %s", r->cycles,
+                 number_noun(r->cycles, "cycle", "cycles"), r->plan.grow, r->plan.relax, runs->seeds,
+                 number_noun(runs->seeds, "seed", "seeds"));
     interp_print(in, "  differences from %s, paired by seed, with 95 %% intervals; equivalent within %g %%",
                  r->methods[r->base].name, 100 * r->margin);
     interp_print(in, "  %-*s %-24s %11s %18s  %s", width, "preset", "quantity", "mean", "difference %", "verdict");

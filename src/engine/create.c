@@ -5,6 +5,7 @@
 #include "engine/spots.h"
 
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/quaternion.h"
 #include "base/vec3.h"
 #include "biology/division.h"
@@ -289,8 +290,8 @@ static bool find_place(scene *s, const placement *p, new_group g, const region *
 }
 
 static int no_spot(size_t fitted, size_t wanted, const region *where, double spacing, int tries, diag *d) {
-    diag_error(d, "%zu of %zu cells fitted into %s %.3g um apart, then %d tries found no place; none was created",
-               fitted, wanted, where->name, spacing, tries);
+    diag_error(d, "%zu of %zu %s fitted into %s %.3g um apart, then %d tries found no place; none was created", fitted,
+               wanted, number_noun(wanted, "cell", "cells"), where->name, spacing, tries);
     return diag_help(d, "take fewer cells, a smaller spacing, a larger region or a larger maxtry");
 }
 

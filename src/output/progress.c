@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/progress.h"
 
+#include "base/number.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -49,8 +51,8 @@ void progress_line(progress *p, uint64_t first, size_t cells, bool at_most, char
     char left[40];
     double weight = (1 - pow(memory, (double)p->done)) / (1 - memory), cycle = p->seconds / weight;
     put_time(progress_left(p), left, sizeof left);
-    snprintf(text, room, "cycle %" PRIu64 " of %" PRIu64 ", %zu cells, %.3g %s, %s%s left", first + p->done,
-             first + p->total, cells, cycle < 1 ? 1 / cycle : cycle, cycle < 1 ? "cycles/s" : "s a cycle",
-             at_most ? "at most " : "", left);
+    snprintf(text, room, "cycle %" PRIu64 " of %" PRIu64 ", %zu %s, %.3g %s, %s%s left", first + p->done,
+             first + p->total, cells, number_noun(cells, "cell", "cells"), cycle < 1 ? 1 / cycle : cycle,
+             cycle < 1 ? "cycles/s" : "s a cycle", at_most ? "at most " : "", left);
     p->shown = p->now;
 }

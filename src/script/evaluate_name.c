@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a name stands for: a value of the table, a variable, a constant, or what the commands' classes own. */
 #include "base/alloc.h"
+#include "base/number.h"
 #include "base/table.h"
 #include "script/evaluate.h"
 #include "script/function.h"
@@ -217,7 +218,7 @@ static int pick_row(evaluation *e, const node *n, const operand *all, double ind
         *row = (size_t)index - 1;
         if (*row < all->n)
             return SARCINA_OK;
-        diag_error(d, "%s has %zu elements, not %g", n->text, all->n, index);
+        diag_error(d, "%s has %zu %s, not %g", n->text, all->n, number_noun(all->n, "element", "elements"), index);
         return evaluate_refuse(n, d);
     }
     const view *v;

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/hash.h"
+#include "base/number.h"
 #include "script/execute.h"
 #include "script/names.h"
 #include "script/state.h"
@@ -246,8 +247,8 @@ void interp_tell_warnings(interp *in) {
     for (size_t i = 0; i < in->nkinds; i++) {
         warning_kind *k = &in->kinds[i];
         uint64_t more = k->count > WARNINGS_SHOWN ? k->count - WARNINGS_SHOWN : 0;
-        char *line = alloc_format("%llu more warning%s of this kind: %s\n", (unsigned long long)more,
-                                  more == 1 ? "" : "s", k->first);
+        char *line = alloc_format("%llu more %s of this kind: %s\n", (unsigned long long)more,
+                                  number_noun(more, "warning", "warnings"), k->first);
         if (more)
             tell_host(in, line);
         free(line);

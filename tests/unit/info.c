@@ -127,7 +127,7 @@ static void test_measured(void **state) {
     snprintf(script, sizeof script, "%sforce collision\nrelax 1s\n", rods);
     interp_free(show(script));
     shows("force       springs\n", true); /* they stuck */
-    shows("rod rod k 1e-11N/m form 5e-07m break 1e-06m handover nearer: 1 links\n", true);
+    shows("rod rod k 1e-11N/m form 5e-07m break 1e-06m handover nearer: 1 link\n", true);
     shows("force evaluations a relaxation\n", true);
     shows("contacts    of segments, kernel ", true);
     double stages = sum_of("\ntime ", names, sizeof names);

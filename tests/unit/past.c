@@ -99,7 +99,7 @@ static void test_room(void **state) {
     example_host_type(in, "variable a string 1\nvariable a string 2\nvariable a string 3", true);
     assert_non_null(strstr(host.printed, "from here on undo goes back 1 command: older states are dropped"));
     example_host_type(in, "undo 2", true);
-    assert_non_null(strstr(host.errors, "undo goes back no further than 1 commands: older states have been dropped"));
+    assert_non_null(strstr(host.errors, "undo goes back no further than 1 command: older states have been dropped"));
     script_host_clear(&host);
     example_host_type(in, "undo\nprint $a", true);
     assert_string_equal(host.printed, "undone: variable a string 3\n2\n");
