@@ -232,14 +232,24 @@ void run_report_relaxation(interp *in, const relax_result *result) {
     put_caps(in, result->caps, NULL);
 }
 
+/* Why a minimiser may come to no rest. */
+static const char *why_stalled(const scene *s) {
+    const force_settings *collision = &s->forces.term[FORCE_COLLISION];
+    if (collision->on && (int)collision->p[COLLISION_CONTACT] == CONTACT_CLOSEST)
+        return "contact closest, whose force jumps where rods lie parallel (contact regularised does not), a pull that "
+               "nothing stops, or less than rounding leaves";
+    return "a pull that nothing stops, or less than rounding leaves";
+}
+
 void run_report_stalled(interp *in, uint64_t n) {
-    const scene_tally *t = &interp_scene(in)->tally;
+    const scene *s = interp_scene(in);
+    const scene_tally *t = &s->tally;
     if (n == 0)
         return;
     interp_warn(in,
                 "%" PRIu64 " %s ended before all was at rest; the last with a net force of %.3g N on cell %" PRIu64
-                ", most of it by %s: a pull that nothing stops, a law that jumps (contact closest), or less than "
-                "rounding leaves",
+                ", most of it by %s: %s",
                 n, number_noun(n, "relaxation", "relaxations"), dim_from_engine(t->stalled_force, DIM_FORCE),
-                t->stalled_cell, t->stalled_term < FORCE_COUNT ? force_styles[t->stalled_term]->name : "no term");
+                t->stalled_cell, t->stalled_term < FORCE_COUNT ? force_styles[t->stalled_term]->name : "no term",
+                why_stalled(s));
 }

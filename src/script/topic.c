@@ -274,14 +274,17 @@ static const topic_part integrators[] = {
      "relaxation times are physics, and runs that grow by 'relax to F' are another model. Where there is no rest it "
      "stops with a warning that names force, cell and term: when in 300 steps neither the largest force has fallen by "
      "a "
-     "tenth nor the energy by a hundredth of what it takes that force to move a particle by its radius, or in 20,000 "
-     "the force has not.",
+     "tenth nor the energy by a hundredth of what it takes that force to move a particle by its radius or by "
+     "a thousandth of itself, or in 20,000 "
+     "the force has not. With contact closest that is the rule where links or walls press rods together: its energy is "
+     "the larger of those of both ends, with a crease where the rods are parallel; they rest on the crease, where the "
+     "force jumps from one end to the other and is nowhere 0. Contact regularised has no crease.",
      "integrator newton\nrelax to 1e-19N", NULL},
     {"Force evaluations, and products of K with a vector, to 1e-19 N; evaluations of balanced and paper; to 1e-24 N, "
-     "by newton. 150 rods in a crowd on a plane with DLVO: 783 + 6,487; 3,840, 122,593; 2,439 + 40,474. In free space: "
+     "by newton. 150 rods in a crowd on a plane with DLVO: 783 + 6,487; 3,840, 122,593; 2,435 + 43,041. In free space: "
      "27 + 763; 121, 397; 44 + 794. 60 linked cocci: 6 + 11; 53, 1,116; 55 + 1,443. 1,000: 6 + 11; 53, 10,790; 50 + "
      "1,482. 12 flexible cells: 6 + 4; 28, -; 84 + 1,337. Four rods of 1 mm across each other: 9 + 13; 85, 17; 13 + "
-     "17. 100 cocci in a point: 23 + 601; 46, 238; 68 + 672. 100 rods: 39 + 1,117; 52, 309; 78 + 1,315. Where cells "
+     "17. 100 cocci in a point: 23 + 601; 46, 238; 68 + 674. 100 rods: 39 + 1,117; 52, 309; 74 + 1,318. Where cells "
      "only part, dynamics is as cheap; where the soft follows the stiff, or 1e-24 N are due, it is not. Behind it is "
      "FIRE: help methods. SARCINA_TEST_TIER=full build/release/tests/minimising prints the numbers.",
      NULL, NULL},

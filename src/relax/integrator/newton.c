@@ -11,8 +11,10 @@
  * with the force. A step that would move a particle by more than half its radius is cut to that (cells never pass
  * through each other): how long a step is is part of the method here, and no limit on a motion (model/cap.h). It is cut
  * further until the energy falls enough (Armijo), or, where rounding hides that, until the force along it has not
- * turned round (Hager & Zhang 2005, SIAM J. Optim. 16:170).
- * Sources: Kelley & Keyes 1998, SIAM J. Numer. Anal. 35:508; Nocedal & Wright, Numerical Optimization, 7.1 and 10.3. */
+ * turned round (Hager & Zhang 2005, SIAM J. Optim. 16:170); but where the energy rises steeply, not before the steps
+ * that follow have been tried (go_on).
+ * Sources: Kelley & Keyes 1998, SIAM J. Numer. Anal. 35:508; Nocedal & Wright, Numerical Optimization, 7.1, 10.3 and
+ * 15.6. */
 #include "relax/integrator.h"
 
 #include "base/alloc.h"
@@ -36,14 +38,18 @@ static const double caution_first = 2, near_goal = 100, caution_least = 0.01, ca
 /* Its factors after a step taken whole, and one that was cut. */
 static const double bolder = 0.5, warier = 2;
 
+/* Steps that are taken on trial where the energy has risen by so many times what it was to fall. */
+static const double steep = 10;
+enum { WATCHED = 40 };
+
 /* How well the linear system is solved: to this part of the largest force, and so that what nothing holds is moved
  * wrongly by no more than this part of the smallest radius. */
 static const double residual_force = 0.1, residual_move = 0.02;
 
 /* In so many steps the largest force has to fall by a tenth, or the energy by what it takes that force to move a
- * particle by a hundredth of the smallest radius; the force has to in many more. */
+ * particle by a hundredth of the smallest radius, or by a thousandth of itself; the force has to in many more. */
 enum { PATIENCE = 300, PATIENCE_FORCE = 20000, HALVINGS = 40 };
-static const double progress = 0.9, little = 0.01;
+static const double progress = 0.9, little = 0.01, little_energy = 1e-3;
 
 typedef struct newton {
     size_t n; /* numbers in x: particles x dimensions */
@@ -55,7 +61,7 @@ typedef struct newton {
     double least, low;    /* fmax and the energy have been below these by a part that counts */
     uint64_t idle, since; /* steps since either has, and since fmax has */
     bool started;
-    double *force, *trial_force, *x, *dx, *r, *z, *p, *q, *all; /* (n) each; the last owns them */
+    double *force, *trial_force, *x, *dx, *far, *r, *z, *p, *q, *all; /* (n) each; the last owns them */
 } newton;
 
 static void *create(const integrator_style *style, const relax_settings *how, const motion *mo) {
@@ -68,8 +74,9 @@ static void *create(const integrator_style *style, const relax_settings *how, co
     self->smallest = (double)INFINITY;
     for (size_t p = 0; p < mo->n; p++)
         self->smallest = fmin(self->smallest, radius[p]);
-    self->all = alloc_zeroed(8 * self->n, sizeof *self->all);
-    double **parts[] = {&self->force, &self->trial_force, &self->x, &self->dx, &self->r, &self->z, &self->p, &self->q};
+    self->all = alloc_zeroed(9 * self->n, sizeof *self->all);
+    double **parts[] = {&self->force, &self->trial_force, &self->x, &self->dx, &self->far,
+                        &self->r,     &self->z,           &self->p, &self->q};
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
         *parts[i] = self->all + i * self->n;
     return self;
@@ -184,10 +191,41 @@ static bool attempt(newton *self, motion *mo, trial *t) {
     return t->slope >= -turned * t->gain;
 }
 
+/* A straight step along contacts that are stiff beside all else leaves the valley that they keep to by its square, and
+ * closes others: the energy rises where the next steps would lower it (the effect of Maratos). So before a step is cut
+ * the next are taken from where it leads, as long as all of them together go no farther than one may, and judged as
+ * one, by the energy: a watchdog. False: dx is as before; x and trial_force are not, which the next attempt sets. */
+static bool go_on(newton *self, motion *mo, trial *t) {
+    const double gain = t->part * t->gain, mu = self->caution * self->fmax;
+    double *dx = self->dx;
+    bool lower = false;
+    if (!(gain > rounding * self->sum) || !(t->energy - self->energy > steep * gain))
+        return false;
+    self->dx = self->far;
+    for (int i = 0; i < WATCHED && !lower; i++) {
+        trial next = {.part = 1, .gain = gain};
+        if (!isfinite(dot(mo, self->trial_force, self->trial_force)) || !tangent_take(self->matrix, self->x))
+            break;
+        memcpy(self->r, self->trial_force, self->n * sizeof *self->r);
+        solve(self, mo, mu);
+        double reach = reach_of(mo, self->dx), part = reach > 1 ? 1 / reach : 1;
+        for (size_t k = 0; k < self->n; k++)
+            self->dx[k] = self->x[k] - mo->x[k] + part * self->dx[k];
+        if (reach_of(mo, self->dx) > 1)
+            break;
+        lower = attempt(self, mo, &next);
+        if (lower)
+            *t = (trial){.part = t->part, .energy = next.energy, .sum = next.sum};
+    }
+    self->far = self->dx;
+    self->dx = dx;
+    return lower;
+}
+
 /* Along dx as far as leads downhill enough; false: nowhere. */
 static bool descend(newton *self, motion *mo, trial *t) {
     for (int i = 0; i < HALVINGS; i++) {
-        if (attempt(self, mo, t))
+        if (attempt(self, mo, t) || (i == 0 && go_on(self, mo, t)))
             return true;
         motion_refuse(mo, CAP_COUNT);
         double next = t->gain / (t->gain - t->slope);
@@ -227,8 +265,8 @@ static void accept(newton *self, motion *mo, const trial *t) {
 
 /* Has it come no further for too long? */
 static bool is_stuck(newton *self) {
-    bool calmer = self->fmax < progress * self->least,
-         lower = self->energy < self->low - little * self->fmax * self->smallest;
+    double counts = fmin(little * self->fmax * self->smallest, little_energy * self->sum);
+    bool calmer = self->fmax < progress * self->least, lower = self->energy < self->low - counts;
     self->since = calmer ? 0 : self->since + 1;
     self->idle = calmer || lower ? 0 : self->idle + 1;
     if (calmer)
@@ -244,9 +282,9 @@ static int step(void *of, motion *mo, double t1, diag *d) {
     newton *self = of;
     if (!self->started)
         begin(self, mo);
-    if (!isfinite(self->size) || !isfinite(self->energy) || !tangent_take(self->matrix, mo->x))
-        return motion_fail_descent(mo, motion_worst(mo, self->force), d);
     while (self->caution <= caution_most / self->smallest) {
+        if (!isfinite(self->size) || !isfinite(self->energy) || !tangent_take(self->matrix, mo->x))
+            return motion_fail_descent(mo, motion_worst(mo, self->force), d);
         memcpy(self->r, self->force, self->n * sizeof *self->r);
         solve(self, mo, self->caution * self->fmax);
         double reach = reach_of(mo, self->dx);
@@ -272,7 +310,7 @@ const integrator_style integrator_newton = {
     .source = "Kelley & Keyes 1998",
     .order = 1,
     .caps = INTEGRATOR_MINIMISES,
-    .vectors = 20,
+    .vectors = 21,
     .create = create,
     .step = step,
     .force = force,
