@@ -387,9 +387,9 @@ int scene_create_rows(scene *s, const placement *p, const cell_row *rows, size_t
         axis = length > 0 ? vec3_scale(1 / length, axis) : draw_axis(s, p, stream);
         double mass = rows[i].mass > 0 ? rows[i].mass : draw_mass(p, stream);
         new_group g = add_group(s, p, rows[i].species, mass, rows[i].diameter);
+        restore_cell(s, &rows[i], g.first); /* its aspect before its particles are put where that says */
         if (!rows[i].nparticles)
             put_group(s, g, rows[i].centre, axis, rows[i].on_plane && isnan(p->gap) ? 0 : p->gap);
-        restore_cell(s, &rows[i], g.first);
         s->colony->next_cell_id = s->colony->next_cell_id > next ? s->colony->next_cell_id : next;
         if (!p->overlap && !group_has_room(s->colony, g, g.first)) {
             return_to(s, m);
