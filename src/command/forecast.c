@@ -10,6 +10,7 @@
 #include "biology/growth.h"
 #include "command/output_list.h"
 #include "command/session.h"
+#include "engine/snapshot.h"
 #include "output/render.h"
 
 #include <math.h>
@@ -46,6 +47,7 @@ static void drop_scene(forecast *f) {
         expr_free(f->runs[i].until);
     free(f->runs);
     free(f->creations);
+    free(f->restart);
 }
 
 void forecast_free(forecast *f) {
@@ -101,6 +103,10 @@ static void note_dumps(interp *in, forecast_run *r) {
         const output_dump *p = &o->dumps[i];
         double every = p->every.is_time ? p->every.time / cycle : (double)p->every.cycles;
         dump_takes takes = dump_styles[dump_style_of(p->file)]->takes;
+        if (takes == DUMP_FILM)
+            forecast_note_extra(in, FORECAST_ENCODING);
+        if (takes != DUMP_COLOR && takes != DUMP_FILM)
+            forecast_note_extra(in, FORECAST_TEXT);
         if ((takes != DUMP_COLOR && takes != DUMP_FILM) || !(every > 0))
             continue;
         add_picture(forecast_of(in), r, &p->image, 1 / fmax(1, every));
@@ -168,6 +174,37 @@ void forecast_unknown(interp *in, const char *why) {
         forecast_of(in)->unknown = why;
 }
 
+void forecast_note_extra(interp *in, forecast_extra what) {
+    if (interp_check_passes(in) > 0)
+        forecast_of(in)->extra[what] = true;
+}
+
+/* The cells are looked at and go again: a check makes none. */
+int forecast_note_restart(interp *in, const char *path, const archive *a, diag *d) {
+    scene *s = interp_scene(in);
+    forecast *f = forecast_of(in);
+    snapshot *before = snapshot_take(s);
+    int status = snapshot_load(s, a, d);
+    if (!status && interp_check_passes(in) > 0) {
+        const colony *c = s->colony;
+        free(f->restart);
+        f->restart = alloc_copy(path);
+        f->step = (double)s->step;
+        f->time = s->time;
+        f->relaxed = s->relaxed;
+        for (size_t row = 0; row < c->cell.count; row++)
+            if (c->cell.species[row] < FORECAST_SPECIES) {
+                f->held[c->cell.species[row]]++;
+                f->cells[c->cell.species[row]]++;
+                f->mass[c->cell.species[row]] += c->cell.mass[row];
+                f->least_gap = 0; /* where it is is not looked at */
+            }
+    }
+    snapshot_restore(s, before);
+    snapshot_free(before);
+    return status;
+}
+
 /* ---- growth ------------------------------------------------------------------------------------------------------ */
 
 /* One growth step of all species: masses, then cells. */
@@ -222,13 +259,15 @@ static void project_run(interp *in, const forecast_run *run, double mass[FORECAS
     static const double most_cycles = 1e6, most_cells = 1e9, tests = 1000;
     const scene *s = interp_scene(in);
     const forecast_load before = end->load;
-    double cycles = run->upto ? run->cycles - end->load.cycles : run->until ? run->cycles : run->cycles * run->times;
+    double cycles = run->upto    ? run->cycles - end->step - end->load.cycles
+                    : run->until ? run->cycles
+                                 : run->cycles * run->times;
     cycles = fmin(cycles, run->ends);
     double stride = fmax(1, ceil(cycles / tests));
     bool known = true;
     for (double i = 0; i < cycles && i < most_cycles && end->cells < most_cells; i++) {
         if (run->until && known && fmod(i, stride) == 0 &&
-            forecast_until(in, run->until, end->cells, end->load.cycles, end->time, end->relaxed, &known))
+            forecast_until(in, run->until, end->cells, end->step + end->load.cycles, end->time, end->relaxed, &known))
             break;
         if (run->grow > 0)
             grow(run->law, run->grow, mass, end->of);
@@ -248,7 +287,7 @@ static void project_run(interp *in, const forecast_run *run, double mass[FORECAS
 }
 
 forecast_end forecast_project(interp *in, const forecast *f) {
-    forecast_end end = {0};
+    forecast_end end = {.step = f->step, .time = f->time, .relaxed = f->relaxed};
     double mass[FORECAST_SPECIES];
     memcpy(end.of, f->cells, sizeof end.of);
     memcpy(mass, f->mass, sizeof mass);
@@ -272,6 +311,7 @@ void forecast_clear(interp *in) {
                      .least_across = f->least_across,
                      .most = fmax(f->most, end.cells),
                      .open = f->open || end.open};
+    memcpy(next.extra, f->extra, sizeof next.extra);
     add_load(&next.past, f->scale, &end.load);
     drop_scene(f);
     *f = next;
@@ -319,8 +359,16 @@ static const char *cycles_noun(double n) {
 static void put_unknown(interp *in, const forecast *f, const forecast_end *end, const forecast_price *price) {
     double evaluations, seconds;
     char time[32];
+    static const char *const extras[FORECAST_EXTRAS] = {
+        [FORECAST_ENCODING] = "encoding of films, by ffmpeg",
+        [FORECAST_DIAGRAMS] = "diagrams, by gnuplot",
+        [FORECAST_TEXT] = "what dumps write as text, in time and in bytes",
+    };
     if (f->unknown)
         interp_screen(in, "not counted: %s", f->unknown);
+    for (int i = 0; i < FORECAST_EXTRAS; i++)
+        if (f->extra[i])
+            interp_screen(in, "not counted: %s", extras[i]);
     if (!end->open)
         return;
     forecast_cost(price, end->cells, &evaluations, &seconds);

@@ -6,6 +6,7 @@
 #define SARCINA_COMMAND_FORECAST_H
 
 #include "command/creation.h"
+#include "engine/archive.h"
 #include "engine/scene.h"
 #include "engine/tradeoff.h"
 #include "output/image.h"
@@ -19,6 +20,9 @@ typedef struct forecast_law {
     double rate, divide; /* mean; mean mass at division, pg (NaN: it does not divide) */
     double arrive, mass; /* cells that attach, 1/s, and their mass, pg */
 } forecast_law;
+
+/* What takes time or room and is named, not counted. */
+typedef enum { FORECAST_ENCODING, FORECAST_DIAGRAMS, FORECAST_TEXT, FORECAST_EXTRAS } forecast_extra;
 
 /* A tradeoff: relaxations of `relax` s behind a growth of `grow`, by each method so many, from the scene as it stands.
  */
@@ -55,6 +59,10 @@ typedef struct forecast {
     bool filament[FORECAST_SPECIES];                        /* some linked filially from the beginning */
     double least_gap;    /* of the lowest cell above the substratum, um; infinite: none is known */
     const char *unknown; /* where cells come from that are not counted; NULL */
+    bool extra[FORECAST_EXTRAS];
+    char *restart;                 /* a file that the scene goes on from, owned; NULL: none */
+    double held[FORECAST_SPECIES]; /* of `cells` those in it */
+    double step, time, relaxed;    /* its clock; s */
     creation *creations;
     forecast_run *runs;
     forecast_tradeoff *tradeoffs;
@@ -75,7 +83,11 @@ void forecast_note_run(interp *in, const forecast_run *r); /* takes a reference 
 void forecast_note_picture(interp *in, const image_options *o);
 void forecast_note_tradeoff(interp *in, const forecast_tradeoff *t); /* takes a copy of the methods */
 void forecast_unknown(interp *in, const char *why);                  /* a constant text */
+void forecast_note_extra(interp *in, forecast_extra what);
 void forecast_clear(interp *in);
+
+/* The scene goes on from this restart file, whose declarations have been read: its cells and its clock count. */
+int forecast_note_restart(interp *in, const char *path, const archive *a, diag *d);
 
 /* Behind a check without errors: prints the estimate, and warns. */
 void forecast_report(interp *in);
@@ -84,7 +96,7 @@ void forecast_report(interp *in);
  * that only the run can tell (NULL: none). */
 typedef struct forecast_end {
     double cells, of[FORECAST_SPECIES];
-    double time, relaxed; /* s */
+    double step, time, relaxed; /* before the first cycle; then; s */
     forecast_load load;
     const expr *open;
 } forecast_end;

@@ -6,6 +6,8 @@
 
 #include "base/alloc.h"
 #include "biology/division.h"
+#include "engine/archive.h"
+#include "engine/snapshot.h"
 #include "output/image.h"
 #include "relax/integrator.h"
 
@@ -54,11 +56,27 @@ static void put_aside(scene *s, const double more[FORECAST_SPECIES]) {
     }
 }
 
+/* Those of a restart file, as they are in it, unless they are too many to relax here. */
+static bool load_cells(scene *s, const forecast *f) {
+    static const double most = 20000;
+    double held = 0;
+    archive *a;
+    for (size_t i = 0; i < FORECAST_SPECIES; i++)
+        held += f->held[i];
+    if (!f->restart || held > most || archive_read(f->restart, &a, NULL))
+        return false;
+    int status = snapshot_load(s, a, NULL);
+    archive_free(a);
+    return status == SARCINA_OK;
+}
+
 /* Those whose places are known, there; of the others, and of too many, a sample. */
 static void put_cells(scene *s, const forecast *f, const forecast_end *end) {
+    const bool loaded = load_cells(s, f);
     static const double most = 5000, sample = 200;
     double more[FORECAST_SPECIES], wanted = 0, all = 0;
-    memcpy(more, f->cells, sizeof more);
+    for (size_t i = 0; i < FORECAST_SPECIES; i++)
+        more[i] = f->cells[i] - (loaded ? f->held[i] : 0);
     for (size_t i = 0; i < f->ncreations; i++) {
         const creation *c = &f->creations[i];
         double n = creation_count(c);

@@ -3,6 +3,7 @@
  * bins of the scene as it stands. plot table Y... vs X from TABLE... file F: ensembles and other tables on disk. */
 #include "command/commands.h"
 #include "command/analyze_bins.h"
+#include "command/forecast.h"
 #include "command/output_list.h"
 #include "command/plot_table.h"
 
@@ -126,6 +127,8 @@ static int run_thermo(interp *in, const args *a, diag *d) {
         status = check_count(a, d);
     if (!status)
         status = make_curves(o, a, &p, curves, d);
+    if (interp_checking(in))
+        forecast_note_extra(in, FORECAST_DIAGRAMS);
     if (status || interp_checking(in))
         return status;
     size_t rows = thermo_rows(o->table);
@@ -216,6 +219,8 @@ static int run_bins(interp *in, const args *a, diag *d) {
         diag_place(d, args_span(a, "ID"));
         return SARCINA_ERROR;
     }
+    if (interp_checking(in))
+        forecast_note_extra(in, FORECAST_DIAGRAMS);
     if (status || interp_checking(in))
         return status;
     return draw_bins(in, a, p, shown[profile][args_choice(a, "show")], d);
@@ -238,6 +243,8 @@ static int run_table(interp *in, const args *a, diag *d) {
     int status = check_file(a, d);
     if (!status)
         status = check_count(a, d);
+    if (interp_checking(in))
+        forecast_note_extra(in, FORECAST_DIAGRAMS);
     if (status || interp_checking(in))
         return status;
     plot_table_request r = {.units = interp_units(in),

@@ -30,9 +30,8 @@ static int run_write(interp *in, const args *a, diag *d) {
 /* In a check the file may not be there yet (the script itself writes it): then all names are unknown from here on. */
 static int run_read(interp *in, const args *a, diag *d) {
     const char *file = args_text(a, "FILE");
-    if (interp_checking(in))
-        forecast_unknown(in, "what the restart file holds");
     if (interp_checking(in) && access(file, R_OK) != 0) {
+        forecast_unknown(in, "what the restart file holds, which is not there yet");
         interp_open_world(in);
         return SARCINA_OK;
     }

@@ -132,6 +132,8 @@ int session_load(interp *in, const char *path, diag *d) {
     status = session_unpack(in, a, d);
     if (status && before)
         session_unpack(in, before, NULL);
+    if (!status && interp_checking(in))
+        status = forecast_note_restart(in, path, a, d);
     archive_free(before);
     archive_free(a);
     return status;
