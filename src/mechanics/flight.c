@@ -132,7 +132,7 @@ static double largest_move(const flight *w) {
     double most = 0;
     for (size_t i = 0; i < w->n; i += 3) {
         double size = vec3_norm(vec3_load(w->move + i));
-        most = size <= most ? most : size;
+        most = size <= most || isnan(most) ? most : size;
     }
     return most;
 }
