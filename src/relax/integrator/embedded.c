@@ -42,7 +42,7 @@ typedef struct embedded {
     bool started;                          /* h holds */
     bool stale;                            /* the first stage does not */
     double *v[STAGES_MAX], *a[STAGES_MAX]; /* derivatives of x and v at the stages (n each) */
-    double *trial;                         /* (4 n): x, v and their errors */
+    double *trial;                         /* (4 n): x, room for a first step, errors of x and v */
     control_limit limit;
     double *memory;
 } embedded;
@@ -120,14 +120,12 @@ static int start(embedded *self, motion *mo, diag *d) {
     return status;
 }
 
-/* The stages after the first; the last is at the trial state. */
+/* The stages after the first; the last is at the trial state: x in self->trial, v its own. */
 static void compute_stages(embedded *self, motion *mo, double h) {
-    double *x = self->trial, *v = x + self->n;
     for (int s = 1; s < self->table->stages; s++) {
-        combine(self->n, mo->x, h, self->table->a[s], self->v, s, x);
-        combine(self->n, mo->v, h, self->table->a[s], self->a, s, v);
-        memcpy(self->v[s], v, self->n * sizeof *v);
-        motion_accelerate(mo, x, v, self->a[s]);
+        combine(self->n, mo->x, h, self->table->a[s], self->v, s, self->trial);
+        combine(self->n, mo->v, h, self->table->a[s], self->a, s, self->v[s]);
+        motion_accelerate(mo, self->trial, self->v[s], self->a[s]);
     }
 }
 
@@ -141,7 +139,7 @@ static double judge(embedded *self, const motion *mo, double h, cap_kind *met) {
     double error = motion_error(mo, ex, ev, self->tolerance);
     double farthest = self->fixed > 0 ? MOTION_FARTHEST : MOTION_FARTHEST_ESTIMATED;
     *met = CAP_FAR;
-    if (!isfinite(error) || !motion_is_sane(mo, self->trial, self->trial + self->n, farthest))
+    if (!isfinite(error) || !motion_is_sane(mo, self->trial, self->v[stages - 1], farthest))
         return INFINITY;
     *met = self->fixed > 0 ? CAP_JOLT : CAP_COUNT;
     if (self->fixed <= 0)
@@ -151,7 +149,7 @@ static double judge(embedded *self, const motion *mo, double h, cap_kind *met) {
 
 static void take(embedded *self, motion *mo, double h, bool last, double t1) {
     int final = self->table->stages - 1;
-    motion_accept(mo, self->trial, self->trial + self->n, h, last, t1);
+    motion_accept(mo, self->trial, self->v[final], h, last, t1);
     double *v = self->v[0], *a = self->a[0];
     self->v[0] = self->v[final];
     self->a[0] = self->a[final];
