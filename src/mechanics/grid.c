@@ -60,23 +60,23 @@ void grid_sort(grid *g, const void *capsules, bool flat, size_t n) {
     qsort(g->places, n, sizeof *g->places, compare_places);
 }
 
-static grid_box box_of(const capsule *c, double reach, double beyond) {
-    grid_box box;
-    for (int k = 0; k < 3; k++) {
-        box.centre[k] = c->x[k] + 0.5 * c->d[k];
-        box.half[k] = 0.5 * fabs(c->d[k]) + reach * c->radius + beyond;
+/* Of a capsule as numbers. In the plane no z is set, nor looked at. */
+DIMENSIONS_INLINE void set_box(grid_box *box, const double *c, double reach, double beyond, int dimensions) {
+    for (int k = 0; k < dimensions; k++) {
+        const double axis = c[CAPSULE_AXIS + k];
+        box->centre[k] = c[k] + 0.5 * axis;
+        box->half[k] = 0.5 * fabs(axis) + reach * c[dimensions] + beyond;
     }
-    return box;
 }
 
 /* The last of the grid's levels is the one being filled: bodies come sorted by level. */
-static void note_size(grid *g, int32_t level, const grid_box *box) {
+DIMENSIONS_INLINE void note_size(grid *g, int32_t level, const grid_box *box, int dimensions) {
     if (g->nlevels == 0 || g->levels[g->nlevels - 1] != level) {
         g->levels[g->nlevels++] = level;
         memset(g->most[g->nlevels - 1], 0, sizeof g->most[0]);
     }
     double *most = g->most[g->nlevels - 1];
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < dimensions; k++)
         most[k] = box->half[k] > most[k] ? box->half[k] : most[k];
 }
 
@@ -89,12 +89,27 @@ static void begin_row(grid *g, const grid_place *p, uint32_t i) {
     }
 }
 
-static void add_to_row(grid_row *row, const grid_box *box, uint32_t i) {
+DIMENSIONS_INLINE void add_to_row(grid_row *row, const grid_box *box, uint32_t i, int dimensions) {
     row->end = i + 1;
     row->longest = fmax(row->longest, box->half[0]);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < dimensions; k++) {
         row->low[k] = fmin(row->low[k], box->centre[k] - box->half[k]);
         row->high[k] = fmax(row->high[k], box->centre[k] + box->half[k]);
+    }
+}
+
+DIMENSIONS_INLINE void build_in(grid *g, const body *bodies, const double *capsules, double reach, double beyond,
+                                int dimensions) {
+    for (uint32_t i = 0; i < g->n; i++) {
+        const grid_place *p = &g->places[i];
+        grid_box *box = &g->boxes[i];
+        set_box(box, capsules + capsule_place(i, dimensions == 2), reach, 0.5 * beyond + (double)bodies[i].leeway,
+                dimensions);
+        note_size(g, p->level, box, dimensions);
+        const grid_row *last = g->nrows ? &g->rows[g->nrows - 1] : NULL;
+        if (!last || compare_bins(last->level, last->z, last->y, p->level, p->z, p->y) != 0)
+            begin_row(g, p, i);
+        add_to_row(&g->rows[g->nrows - 1], box, i, dimensions);
     }
 }
 
@@ -103,16 +118,10 @@ void grid_build(grid *g, const body *bodies, const void *capsules, double reach,
     g->rows = alloc_grow(g->rows, &g->rows_capacity, g->n, sizeof *g->rows);
     g->nrows = 0;
     g->nlevels = 0;
-    for (uint32_t i = 0; i < g->n; i++) {
-        const grid_place *p = &g->places[i];
-        capsule room;
-        g->boxes[i] = box_of(capsule_get(capsules, i, g->flat, &room), reach, 0.5 * beyond + (double)bodies[i].leeway);
-        note_size(g, p->level, &g->boxes[i]);
-        const grid_row *last = g->nrows ? &g->rows[g->nrows - 1] : NULL;
-        if (!last || compare_bins(last->level, last->z, last->y, p->level, p->z, p->y) != 0)
-            begin_row(g, p, i);
-        add_to_row(&g->rows[g->nrows - 1], &g->boxes[i], i);
-    }
+    if (g->flat)
+        build_in(g, bodies, capsules, reach, beyond, 2);
+    else
+        build_in(g, bodies, capsules, reach, beyond, 3);
 }
 
 void grid_free(grid *g) {
@@ -136,14 +145,14 @@ static size_t first_row(const grid *g, int32_t level, int64_t z, int64_t y) {
     return low;
 }
 
-static bool meet(const grid_box *a, const grid_box *b) {
-    return (fabs(a->centre[0] - b->centre[0]) <= a->half[0] + b->half[0]) &
-           (fabs(a->centre[1] - b->centre[1]) <= a->half[1] + b->half[1]) &
-           (fabs(a->centre[2] - b->centre[2]) <= a->half[2] + b->half[2]);
+DIMENSIONS_INLINE bool meet(const grid_box *a, const grid_box *b, int dimensions) {
+    const bool plane = (fabs(a->centre[0] - b->centre[0]) <= a->half[0] + b->half[0]) &
+                       (fabs(a->centre[1] - b->centre[1]) <= a->half[1] + b->half[1]);
+    return dimensions > 2 ? plane & (fabs(a->centre[2] - b->centre[2]) <= a->half[2] + b->half[2]) : plane;
 }
 
-static bool rows_meet(const grid_row *a, const grid_row *b) {
-    for (int k = 0; k < 3; k++)
+static bool rows_meet(const grid_row *a, const grid_row *b, int dimensions) {
+    for (int k = 0; k < dimensions; k++)
         if (!(a->low[k] <= b->high[k] && b->low[k] <= a->high[k]))
             return false;
     return true;
@@ -155,19 +164,22 @@ static void add_windows(grid_search *s, int32_t level, const double most[3], siz
     const grid_row *from = &g->rows[own];
     const double side = bin_side(level);
     const int64_t y0 = bin_of(from->low[1] - most[1], side), y1 = bin_of(from->high[1] + most[1], side);
-    const int64_t z0 = bin_of(from->low[2] - most[2], side), z1 = bin_of(from->high[2] + most[2], side);
+    const int64_t z0 = g->flat ? 0 : bin_of(from->low[2] - most[2], side);
+    const int64_t z1 = g->flat ? 0 : bin_of(from->high[2] + most[2], side);
     size_t i = first_row(g, level, z0, y0);
     i = i > own ? i : own;
     while (i < g->nrows && g->rows[i].level == level && g->rows[i].z <= z1) {
         const grid_row *row = &g->rows[i];
         if (row->y < y0)
             i = first_row(g, level, row->z, y0);
+        else if (row->y > y1 && g->flat)
+            break;
         else if (row->y > y1)
             i = first_row(g, level, row->z + 1, y0);
         else {
             s->windows = alloc_grow(s->windows, &s->windows_capacity, s->nwindows + 1, sizeof *s->windows);
             s->windows[s->nwindows] = (grid_window){row->begin, row->end, row->longest};
-            s->nwindows += rows_meet(from, row);
+            s->nwindows += rows_meet(from, row, g->flat ? 2 : 3);
             i++;
         }
     }
@@ -191,27 +203,32 @@ static void open_windows(grid_search *s, uint32_t slot) {
 }
 
 /* Candidates pass without a branch: whether boxes meet is anybody's guess. */
-static uint32_t *look_through(const grid_box *boxes, double longest, grid_window *w, uint32_t slot, uint32_t *found) {
-    const grid_box own = boxes[slot];
-    const double begin = own.centre[0] - (longest + w->longest), end = own.centre[0] + (own.half[0] + w->longest);
+DIMENSIONS_INLINE uint32_t *look_through(const grid_box *boxes, double longest, grid_window *w, uint32_t slot,
+                                         uint32_t *found, int dimensions) {
+    const grid_box *own = &boxes[slot];
+    const double begin = own->centre[0] - (longest + w->longest), end = own->centre[0] + (own->half[0] + w->longest);
     uint32_t i = w->next;
     while (i < w->end && boxes[i].centre[0] < begin)
         i++;
     w->next = i;
     for (i = i > slot ? i : slot + 1; i < w->end && boxes[i].centre[0] <= end; i++) {
         *found = i;
-        found += meet(&own, &boxes[i]);
+        found += meet(own, &boxes[i], dimensions);
     }
     return found;
+}
+
+DIMENSIONS_INLINE size_t find_in(grid_search *s, uint32_t slot, int dimensions) {
+    uint32_t *found = s->found;
+    for (size_t i = 0; i < s->nwindows; i++)
+        found = look_through(s->g->boxes, s->longest, &s->windows[i], slot, found, dimensions);
+    return (size_t)(found - s->found);
 }
 
 size_t grid_find(grid_search *s, uint32_t slot) {
     if (slot >= s->row_end)
         open_windows(s, slot);
-    uint32_t *found = s->found;
-    for (size_t i = 0; i < s->nwindows; i++)
-        found = look_through(s->g->boxes, s->longest, &s->windows[i], slot, found);
-    return (size_t)(found - s->found);
+    return s->g->flat ? find_in(s, slot, 2) : find_in(s, slot, 3);
 }
 
 void grid_search_free(grid_search *s) {

@@ -55,26 +55,33 @@ DIMENSIONS_INLINE double dot_in(const double *a, const double *b, int dimensions
     return dimensions > 2 ? sum + a[2] * b[2] : sum;
 }
 
-/* The springs that act, weights divided by the root of the particle's mass. Returns what no eigenvalue is larger than:
- * of a spring with n ends (sum of g . x)^2 <= n sum of |g|^2 |x|^2 (Cauchy, Schwarz). */
+/* Weights divided by the roots of the particles' masses; sums (nparticles, from 0) of their squares. */
+DIMENSIONS_INLINE void weigh(stiff_list *springs, const double *root, double *sums, int dimensions) {
+    for (size_t i = 0; i < springs->count; i++) {
+        stiff_spring *s = &springs->list[i];
+        const double weight = fabs(s->k) * s->count;
+        for (uint32_t j = 0; j < s->count; j++) {
+            const uint32_t p = s->particle[j];
+            for (int k = 0; k < dimensions; k++)
+                s->g[j][k] /= root[p];
+            sums[p] += weight * dot_in(s->g[j], s->g[j], dimensions);
+        }
+    }
+}
+
+/* The springs that act, weighed. Returns what no eigenvalue is larger than: of a spring with n ends (sum of g . x)^2 <=
+ * n sum of |g|^2 |x|^2 (Cauchy, Schwarz). */
 static double collect(mechanics *m, const double *x, bool chains) {
     double *root = m->scratch, *sums = root + m->nparticles, most = 0;
-    const int dimensions = state_dimensions(m);
     for (size_t p = 0; p < m->nparticles; p++) {
         root[p] = sqrt(m->mass[p]);
         sums[p] = 0;
     }
     state_springs(m, x, chains, &m->stiff);
-    for (size_t i = 0; i < m->stiff.count; i++) {
-        stiff_spring *s = &m->stiff.list[i];
-        const double weight = fabs(s->k) * s->count;
-        for (uint32_t j = 0; j < s->count; j++) {
-            const uint32_t p = s->particle[j];
-            for (int k = 0; k < 3; k++)
-                s->g[j][k] /= root[p];
-            sums[p] += weight * dot_in(s->g[j], s->g[j], dimensions);
-        }
-    }
+    if (m->flat)
+        weigh(&m->stiff, root, sums, 2);
+    else
+        weigh(&m->stiff, root, sums, 3);
     for (size_t p = 0; p < m->nparticles; p++)
         most = sums[p] > most ? sums[p] : most;
     return most;
