@@ -26,7 +26,7 @@ static const command_form forms[] = {
     {"dimension N:{2|3}", params, 1, "Whether cells move in space or in a plane",
      "Default: 3. In two dimensions the centres, axes and velocities of all cells lie in the plane z = 0 and stay "
      "there, "
-     "to the bit: relaxations keep no z at all, which saves a sixth to a quarter of their work and a third of their "
+     "to the bit: relaxations keep no z at all, which saves a seventh to a quarter of their work and a third of their "
      "vectors (man sarcina-cost); random directions (orient random, division random, jitter, "
      "snap) are drawn in the plane, and a region gives places where z is 0. Cells are bodies as ever: mass, volume and "
      "drag are those of spheres and rods. What acts along z is refused: substratum, force dlvo, force gravity, link "
