@@ -78,7 +78,7 @@ static void test_rods(void **state) {
     shows("contacts    none", true);
     shows("link        stick rod rod k 1e-11N/m form 5e-07m break 1e-06m handover nearer: 0 links\n", true);
     shows("remodelling every 0.005s of relaxation\n", true);
-    shows("relaxation  verlet, accuracy balanced, steps from the stiffness, at most 0.002s at first, inertia 0.07\n",
+    shows("relaxation  verlet, accuracy balanced, steps from the stiffness, at most 0.002s at first, inertia 0.1\n",
           true);
 }
 
