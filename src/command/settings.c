@@ -107,7 +107,8 @@ static const command_form forms[] = {
      NULL, 0},
     {"threads N:int[1,1024]", threads_params, TABLE_COUNT(threads_params), "Processor cores to compute on",
      "Pays from some thousand cells.", "threads 2", COMMAND_SHADOW, run_threads, NULL, 0},
-    {"warn HOW:{on|off|error}", warn_params, TABLE_COUNT(warn_params), "What happens to warnings", NULL,
+    {"warn HOW:{on|off|error}", warn_params, TABLE_COUNT(warn_params), "What happens to warnings",
+     "A warning that is an error ends the script behind the command that gave it: what that has done is done.",
      "warn error\nwarn off\nwarn on", COMMAND_SHADOW, run_warn, NULL, 0},
 };
 

@@ -214,7 +214,7 @@ static void test_variables(void **state) {
         {"variable a list\nvariable a append cells+1\nvariable a append 3\nprint $(sd(a)/sqrt(2))", "1"},
         {"variable a default 1\nvariable a append 2", "is no list"},
         {"variable a list x y\nprint $(a[2])", "y"},
-        {"variable a list 1\nprint $(a[2])", "a has 1 elements"},
+        {"variable a list 1\nprint $(a[2])", "a has 1 element"},
         {"variable a list 1\nprint $(a)", "'a' is a list"},
         {"variable a getenv HOME\nprint $a", "somewhere"},
         {"variable a default 1\nvariable a off\nprint $a", "no variable 'a'"},

@@ -158,7 +158,7 @@ static void test_output(void **state) {
     assert_string_equal(l.screen, "dear reader\n");
     runs(s, "species ball coccus\ncreate_cells ball single 0 0 0 mass 6e-16kg\ngroup far where \"x > 1um\"\n");
     assert_non_null(strstr(l.warnings, "text:3: warning: group far is empty"));
-    assert_string_equal(l.screen, "dear reader\ncreated 1 cell of ball: 1 in all\ngroup far: 0 of 1 cells\n");
+    assert_string_equal(l.screen, "dear reader\ncreated 1 cell of ball: 1 in all\ngroup far: 0 of 1 cell\n");
     sarcina_free(s);
 }
 
