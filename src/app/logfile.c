@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "app/logfile.h"
 
+#include "app/version.h"
 #include "base/alloc.h"
 #include "engine/scene.h"
 
@@ -43,7 +44,9 @@ static void put_head(logfile *l) {
     time_t now = time(NULL);
     struct tm when;
     strftime(date, sizeof date, "%Y-%m-%d %H:%M:%S %z", localtime_r(&now, &when));
-    fprintf(l->file, "Sarcina %s\nDate: %s\nCommand line: %s\n", SARCINA_VERSION, date, l->command);
+    char *version = version_text();
+    fprintf(l->file, "Sarcina %s\nDate: %s\nCommand line: %s\n", version, date, l->command);
+    free(version);
 }
 
 static void stop_waiting(logfile *l) {

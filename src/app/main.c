@@ -6,6 +6,7 @@
 #include "app/records.h"
 #include "app/repl.h"
 #include "app/test_run.h"
+#include "app/version.h"
 #include "base/alloc.h"
 #include "base/number.h"
 #include "base/path.h"
@@ -14,6 +15,7 @@
 #include "command/results.h"
 #include "script/interp.h"
 
+#include <gsl/gsl_version.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -145,6 +147,14 @@ static int run_program(const options *o) {
     return status ? status : closed;
 }
 
+/* Whoever reports a fault or checks a result needs all of it. */
+static void print_version(void) {
+    char *version = version_text();
+    printf("sarcina %s\nbuilt by gcc %s with GSL %s, %s pictures, %s MPI\n", version, __VERSION__, gsl_version,
+           SARCINA_HAVE_IMAGE ? "with" : "without", SARCINA_HAVE_MPI ? "with" : "without");
+    free(version);
+}
+
 int main(int argc, char **argv) {
     options o;
     diag d = {0};
@@ -153,7 +163,7 @@ int main(int argc, char **argv) {
         program_complain(&d);
         fputs("'sarcina -help' lists the options\n", stderr);
     } else if (o.version) {
-        printf("sarcina %s\n", SARCINA_VERSION);
+        print_version();
     } else if (o.help) {
         print_help();
     } else if (o.json) {

@@ -281,7 +281,7 @@ static const topic_part integrators[] = {
      "force jumps from one end to the other and is nowhere 0. Contact regularised has no crease.",
      "integrator newton\nrelax to 1e-19N", NULL},
     {"Force evaluations, and products of K with a vector, to 1e-19 N; evaluations of balanced and paper; to 1e-24 N, "
-     "by newton. 150 rods in a crowd on a plane with DLVO: 783 + 6,487; 3,840, 122,593; 2,435 + 43,041. In free space: "
+     "by newton. 150 rods in a crowd on a plane with DLVO: 783 + 6,487; 1,800, 122,593; 2,435 + 43,041. In free space: "
      "27 + 763; 121, 397; 44 + 794. 60 linked cocci: 6 + 11; 53, 1,116; 55 + 1,443. 1,000: 6 + 11; 53, 10,790; 50 + "
      "1,482. 12 flexible cells: 6 + 4; 28, -; 84 + 1,337. Four rods of 1 mm across each other: 9 + 13; 85, 17; 13 + "
      "17. 100 cocci in a point: 23 + 601; 46, 238; 68 + 674. 100 rods: 39 + 1,117; 52, 309; 74 + 1,318. Where cells "
