@@ -15,37 +15,33 @@ const accuracy_preset accuracy_presets[] = {
     {"draft",
      "velocity Verlet as in balanced, inertia 0.3: for trying out",
      {.integrator = INTEGRATOR_VERLET, .most = 2e-3, .inertia = 0.3},
-     "E. coli from one cell, against steps of 1 ms (15 seeds): radius of gyration 0.2 +- 0.5 % more at 300 rods "
-     "and 0.8 +- 0.9 % at 1,000, mean layer -0.2 +- 0.8 % and -0.6 +- 1.4 %, all equivalent within 2 %; at "
-     "3,000 the radius is 2.2 +- 1.4 % more, too wide; first stacking, against reference (20 seeds), -1 +- 3 %",
+     "E. coli, ten growth steps, against reference: to 300 rods (10 seeds) radius of gyration 0.1 +- 0.4 %, mean "
+     "layer -0.2 +- 0.3 %, equivalent within 2 %; to 3,000 (5 seeds) 1.2 +- 0.7 %, equivalent, and -1.5 +- 1.4 %, too "
+     "wide; anchored, to 1,000 (5 seeds) -0.1 +- 0.3 % and 1.0 +- 1.1 %, equivalent",
      1000},
     {"fast",
      "velocity Verlet as in balanced, inertia 0.15",
      {.integrator = INTEGRATOR_VERLET, .most = 2e-3, .inertia = 0.15},
-     "E. coli from one cell, against steps of 1 ms (15 seeds): radius of gyration 0.1 +- 0.7 % more at 300 rods "
-     "and 0.4 +- 1.0 % at 1,000, mean layer 0.1 +- 0.8 % and -0.2 +- 1.5 %, all equivalent within 2 %; at 3,000 "
-     "radius 0.5 +- 1.5 %, equivalent, mean layer -0.3 +- 2.5 %, which needs more seeds; first stacking, "
-     "against reference (20 seeds), -2 +- 3 %",
+     "E. coli, ten growth steps, against reference: to 300 rods (10 seeds) radius of gyration 0.0 +- 0.4 %, mean "
+     "layer -0.1 +- 0.4 %; to 3,000 (5 seeds) 1.2 +- 0.8 % and -1.5 +- 0.9 %; anchored, to 1,000 (5 seeds) -0.1 +- 0.6 "
+     "% and 0.9 +- 2.2 %: all equivalent within 2 %",
      1000},
     {"balanced",
      "velocity Verlet, steps of at most 2 ms, longer as inertia fades (0.1)",
      {.integrator = INTEGRATOR_VERLET, .most = 2e-3, .inertia = 0.1},
-     "E. coli from one cell, against steps of 1 ms (15 seeds): radius of gyration 0.1 +- 0.6 % more at 300 "
-     "rods, 0.1 +- 1.0 % at 1,000, 0.3 +- 1.2 % at 3,000, mean layer -0.2 +- 0.7 %, -0.2 +- 1.3 %, -0.1 +- 1.8 "
-     "%, all equivalent within 2 %; order of neighbours (nematic) 1.6 +- 3.5 % at 3,000, which needs more "
-     "seeds; against paper, at 3,000 (16 seeds): radius 1.1 +- 0.9 %, equivalent, mean layer -1.2 +- 2.0 %, "
-     "order 2.8 +- 2.6 %, for paper lies as far from steps of 1 ms; 10 growth steps from 4,400 to 10,000 rods, "
-     "against paper (5 seeds): radius 0.1 +- 0.2 %, mean layer 0.4 +- 1.0 %, equivalent, order -1.9 +- 4.0 %; "
-     "first stacking, against reference (20 seeds), 0 +- 2 %; flocs of 370 cells, against steps of 1 ms (6 "
-     "seeds): sticking links 1 +- 4 %, radius -1 +- 6 %",
+     "E. coli, ten growth steps, against paper (48 seeds): to 300 rods radius of gyration 0.4 +- 0.2 %, order of "
+     "neighbours (nematic) 0.4 +- 0.7 %, mean layer -0.5 +- 0.3 %; to 3,000 0.4 +- 0.2 %, 0.0 +- 0.9 %, -0.1 +- 0.4 "
+     "%; anchored, to 1,000 0.0 +- 0.1 %, -0.3 +- 1.2 %, 0.3 +- 0.4 %, links -0.4 +- 0.9 %; from one cell to 3,000 "
+     "against steps of 1 ms (20 seeds) radius 0.0 +- 1.5 %, layer 0.0 +- 2.7 %: all equivalent within 2 %; to 10,000 "
+     "against paper (5 seeds) radius 0.3 +- 0.5 %, layer 0.0 +- 0.7 %, equivalent, order -1.3 +- 3.3 %, which needs "
+     "more seeds",
      10000},
     {"paper",
      "Dormand-Prince 5(4) as published: tolerance 0.1 um and 0.1 um/s, begun anew every 0.2 s",
      {.integrator = INTEGRATOR_DOPRI5, .tolerance = 0.1, .segment = 0.2},
      "the original authors' program, state by state and in 20 colonies of 400 rods; its tolerance shows: "
      "against reference, E. coli stacks 7 +- 3 % earlier, and the radius of gyration of 300 rods is 1.3 +- 0.5 "
-     "% less (20 seeds); against steps of 1 ms (15 seeds) it is 0.6 +- 0.5 % less at 300 rods, 0.8 +- 1.4 % at "
-     "3,000",
+     "% less (20 seeds); at 3,000, against steps of 1 ms (20 seeds), 0.4 +- 1.3 % less, equivalent",
      400},
     {"reference",
      "Dormand-Prince 5(4), tolerance 0.001 um and 0.001 um/s",
